@@ -1,0 +1,170 @@
+//! The text form of a [`ViewState`], the part of a page's address after `#`:
+//! ```text
+//! #view=35.6812,-14.25,560,120,78&wind=13.9@240&spectrum=jonswap&fetch=300&time=2026-11-20T12:00:00Z&seed=7
+//! ```
+//! `key=value` pairs, latitude before longitude, only what differs from the default. With a name every key is
+//! `name.key`, and all other pairs belong to the page. Reading never fails: a bad pair is reported and the last good
+//! value stays; numbers are checked finite, then clamped. Unknown pairs are kept as they were written.
+//! Values are ids and numbers, never addresses: a link cannot make a page fetch from a stranger's host.
+
+use super::camera::Camera;
+use super::layers::Layers;
+use super::maplibre;
+use super::number::{clamped, decimal, whole};
+use super::pair::{MAP_HASH, encode, our_pair};
+use super::settings::{Mesh, Quality, Settings, Spectrum};
+use super::time::SceneTime;
+use super::values::{
+    format_foam, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_swell, parse_view,
+    parse_wind,
+};
+use super::view_state::ViewState;
+use crate::error::Error;
+
+/// Longest fragment of ours that is read or written, bytes.
+pub const LONGEST: usize = 2048;
+
+/// The keys in the order in which they are written.
+const KEYS: [&str; 16] = [
+    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "time", "rate", "seed", "mesh",
+    "quality", "layers", "v",
+];
+
+impl ViewState {
+    /// Reads a fragment, with or without `#`; what it does not say has its default. The errors name the pairs that
+    /// were skipped. `name`: the prefix of our keys on a page that has other pairs.
+    pub fn parse_fragment(text: &str, name: Option<&str>) -> (Self, Vec<Error>) {
+        let mut state = Self::default();
+        let errors = state.apply_fragment(text, name);
+        (state, errors)
+    }
+
+    /// As [`ViewState::parse_fragment`], but a bad pair leaves the present value.
+    pub fn apply_fragment(&mut self, text: &str, name: Option<&str>) -> Vec<Error> {
+        let water_density_per_m = self.settings.water_density_per_m;
+        let mut last = std::mem::take(self);
+        self.settings.water_density_per_m = water_density_per_m;
+        let mut errors = Vec::new();
+        let mut room = LONGEST;
+        for pair in text.strip_prefix('#').unwrap_or(text).split('&').filter(|pair| !pair.is_empty()) {
+            let Some((key, value)) = our_pair(pair, name) else {
+                self.unknown.push(pair.into());
+                continue;
+            };
+            if pair.len() >= room {
+                if room > 0 {
+                    errors.push(Error::bad_value("fragment", text.len(), format!("only {LONGEST} bytes are read")));
+                }
+                room = 0;
+                continue;
+            }
+            room -= pair.len() + 1;
+            if !KEYS.contains(&key.as_str()) && key != MAP_HASH {
+                self.unknown.push(pair.into());
+            } else if let Err(error) = self.set(&key, &value, &mut errors) {
+                self.copy(&key, &last);
+                errors.push(error);
+            } else {
+                last.copy(&key, self);
+            }
+        }
+        errors
+    }
+
+    /// Writes the fragment, without `#`: the page's own pairs where there is a `name`, then ours, then unknown ones.
+    pub fn format_fragment(&self, name: Option<&str>) -> String {
+        let prefix = name.map(|name| encode(name) + ".").unwrap_or_default();
+        let is_page_pair = |pair: &&String| our_pair(pair, name).is_none();
+        let mut pairs: Vec<String> = self.unknown.iter().filter(is_page_pair).cloned().collect();
+        let mut room = LONGEST;
+        let values = KEYS.iter().filter_map(|key| Some(format!("{prefix}{key}={}", self.get(key)?)));
+        let unknown = self.unknown.iter().filter(|pair| !is_page_pair(pair)).cloned();
+        for pair in values.chain(unknown) {
+            if let Some(left) = room.checked_sub(pair.len() + 1) {
+                room = left;
+                pairs.push(pair);
+            }
+        }
+        pairs.join("&")
+    }
+
+    /// Sets one key from its decoded value. Notes that do not spoil the pair go to `notes`.
+    fn set(&mut self, key: &str, value: &str, notes: &mut Vec<Error>) -> Result<(), Error> {
+        let bad = |remedy: &str| Error::bad_value(key, value, remedy);
+        let s = &mut self.settings;
+        match key {
+            "view" => self.camera = parse_view(value).ok_or_else(|| bad("give lat,lng,alt[,heading[,tilt]]"))?,
+            "ride" => self.ride = clamped(value, 0.0..=1.0).ok_or_else(|| bad("give 0 or 1"))? >= 0.5,
+            "wind" => s.wind = parse_wind(value).ok_or_else(|| bad("give m/s@degrees, e.g. 8@250"))?,
+            "bft" => s.beaufort = Some(whole(value, 0.0..=12.0).ok_or_else(|| bad("give a grade 0 to 12"))? as u8),
+            "spectrum" => s.spectrum = named(&Spectrum::ALL, value).ok_or_else(|| bad(&names(&Spectrum::ALL)))?,
+            "fetch" => s.fetch_km = Some(clamped(value, 1.0..=5000.0).ok_or_else(|| bad("give 1 to 5000 km"))?),
+            "swell" => s.swell = Some(parse_swell(value).ok_or_else(|| bad("give height,period,from"))?),
+            "chop" => s.chop = clamped(value, 0.0..=2.0).ok_or_else(|| bad("give 0 to 2"))?,
+            "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime]"))?,
+            "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
+            "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
+            "seed" => {
+                s.seed = whole(value, 0.0..=f64::from(u32::MAX)).ok_or_else(|| bad("give a whole number"))? as u32;
+            }
+            "mesh" => s.mesh = named(&Mesh::ALL, value).ok_or_else(|| bad(&names(&Mesh::ALL)))?,
+            "quality" => s.quality = named(&Quality::ALL, value).ok_or_else(|| bad(&names(&Quality::ALL)))?,
+            "layers" => {
+                let (layers, unknown) = Layers::from_ids(value);
+                s.layers = layers;
+                notes.extend(unknown.iter().map(|id| Error::bad_value(key, id, "this layer is not known")));
+            }
+            "v" if value == "1" => {}
+            "v" => return Err(bad("this version reads v=1")),
+            MAP_HASH => self.camera = maplibre::camera_from_hash(value).ok_or_else(|| bad("give zoom/lat/lng"))?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Copies the value of one key.
+    fn copy(&mut self, key: &str, from: &Self) {
+        let (to, settings) = (&mut self.settings, &from.settings);
+        match key {
+            "view" | MAP_HASH => self.camera = from.camera,
+            "ride" => self.ride = from.ride,
+            "wind" => to.wind = settings.wind,
+            "bft" => to.beaufort = settings.beaufort,
+            "spectrum" => to.spectrum = settings.spectrum,
+            "fetch" => to.fetch_km = settings.fetch_km,
+            "swell" => to.swell = settings.swell,
+            "chop" => to.chop = settings.chop,
+            "foam" => to.foam = settings.foam,
+            "time" => self.time = from.time,
+            "rate" => self.rate = from.rate,
+            "seed" => to.seed = settings.seed,
+            "mesh" => to.mesh = settings.mesh,
+            "quality" => to.quality = settings.quality,
+            _ => {}
+        }
+    }
+
+    /// The text of one key's value; `None` where it is the default.
+    fn get(&self, key: &str) -> Option<String> {
+        let s = &self.settings;
+        let default = Settings::default();
+        match key {
+            "view" => Some(format_view(&self.camera)).filter(|text| *text != format_view(&Camera::default())),
+            "ride" => self.ride.then(|| "1".into()),
+            "wind" => Some(format_wind(s.wind)).filter(|text| *text != format_wind(default.wind)),
+            "bft" => s.beaufort.map(|grade| grade.to_string()),
+            "spectrum" => (s.spectrum != default.spectrum).then(|| name_of(&Spectrum::ALL, s.spectrum)),
+            "fetch" => s.fetch_km.map(|km| decimal(km, 3)),
+            "swell" => s.swell.map(format_swell),
+            "chop" => Some(decimal(s.chop, 3)).filter(|text| text != "1"),
+            "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
+            "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
+            "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
+            "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),
+            "mesh" => (s.mesh != default.mesh).then(|| name_of(&Mesh::ALL, s.mesh)),
+            "quality" => (s.quality != default.quality).then(|| name_of(&Quality::ALL, s.quality)),
+            "layers" => Some(s.layers.to_ids()).filter(|ids| !ids.is_empty()),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! Floor 2: what to draw, as plain data: the settings, the camera, the time, and their form as a link.
+//!
+//! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
+
+pub mod camera;
+pub mod fragment;
+pub mod layers;
+pub mod maplibre;
+pub mod number;
+pub mod pair;
+pub mod settings;
+pub mod time;
+pub mod values;
+pub mod view_state;

@@ -1,0 +1,209 @@
+//! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
+
+use super::layers::Layers;
+
+/// The wind at 10 m over the sea.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wind {
+    /// Speed in m/s, 0 to 60.
+    pub speed_mps: f64,
+    /// Where the wind comes FROM, degrees clockwise from north, `[0, 360)` (the meteorologist's convention).
+    pub from_deg: f64,
+}
+
+impl Default for Wind {
+    fn default() -> Self {
+        Self { speed_mps: 8.0, from_deg: 250.0 }
+    }
+}
+
+/// The shape of the wave spectrum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spectrum {
+    /// Phillips' equilibrium form with Tessendorf's long-wave cut.
+    #[default]
+    Phillips,
+    /// Pierson and Moskowitz: a fully grown sea.
+    PiersonMoskowitz,
+    /// JONSWAP: a sea that grows with fetch.
+    Jonswap,
+    /// TMA: JONSWAP in shallow water.
+    Tma,
+    /// Elfouhaily and others: one spectrum from swell to ripples.
+    Elfouhaily,
+    /// A sum of sines.
+    Sines,
+    /// A sum of Gerstner waves.
+    Gerstner,
+}
+
+impl Spectrum {
+    /// Every spectrum with its name in links.
+    pub const ALL: [(Self, &'static str); 7] = [
+        (Self::Phillips, "phillips"),
+        (Self::PiersonMoskowitz, "pierson-moskowitz"),
+        (Self::Jonswap, "jonswap"),
+        (Self::Tma, "tma"),
+        (Self::Elfouhaily, "elfouhaily"),
+        (Self::Sines, "sines"),
+        (Self::Gerstner, "gerstner"),
+    ];
+}
+
+/// A swell from a far storm, on top of the wind sea.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swell {
+    /// Significant height in metres, 0 to 20.
+    pub height_m: f64,
+    /// Period in seconds, 3 to 30.
+    pub period_s: f64,
+    /// Where it comes FROM, degrees clockwise from north.
+    pub from_deg: f64,
+}
+
+/// Whitecaps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foam {
+    /// Amount, 1 = as the waves fold; 0 to 3.
+    pub amount: f64,
+    /// Time in seconds after which a patch has faded to 1/e, 0.1 to 60.
+    pub lifetime_s: f64,
+}
+
+impl Default for Foam {
+    fn default() -> Self {
+        Self { amount: 1.0, lifetime_s: 3.5 }
+    }
+}
+
+/// How the surface of the sea is cut into triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mesh {
+    /// A grid on the screen projected onto the ellipsoid.
+    #[default]
+    Grid,
+    /// Triangles bisected on the GPU.
+    Bisect,
+}
+
+impl Mesh {
+    /// Every mesh with its name in links.
+    pub const ALL: [(Self, &'static str); 2] = [(Self::Grid, "grid"), (Self::Bisect, "bisect")];
+}
+
+/// How much the picture may cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// Chosen by the program.
+    #[default]
+    Auto,
+    /// For weak devices.
+    Low,
+    /// For phones and laptops.
+    Medium,
+    /// For a graphics card.
+    High,
+    /// For pictures.
+    Ultra,
+}
+
+impl Quality {
+    /// Every quality with its name in links.
+    pub const ALL: [(Self, &'static str); 5] = [
+        (Self::Auto, "auto"),
+        (Self::Low, "low"),
+        (Self::Medium, "medium"),
+        (Self::High, "high"),
+        (Self::Ultra, "ultra"),
+    ];
+}
+
+/// All choices that shape the sea and the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The wind; its speed yields to [`Settings::beaufort`] where that is given.
+    pub wind: Wind,
+    /// Beaufort grade 0 to 12, instead of a wind speed.
+    pub beaufort: Option<u8>,
+    /// The wave spectrum.
+    pub spectrum: Spectrum,
+    /// Distance over which the wind has blown, km, 1 to 5,000; `None`: a fully grown sea.
+    pub fetch_km: Option<f64>,
+    /// A swell on top of the wind sea.
+    pub swell: Option<Swell>,
+    /// Choppiness λ: factor on the horizontal displacement, 0 to 2.
+    pub chop: f64,
+    /// Whitecaps.
+    pub foam: Foam,
+    /// Seed of the random phases: the same seed and time make the same sea everywhere.
+    pub seed: u32,
+    /// How the surface is meshed.
+    pub mesh: Mesh,
+    /// What the picture may cost.
+    pub quality: Quality,
+    /// What is drawn.
+    pub layers: Layers,
+    /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3. Not part of a link.
+    pub water_density_per_m: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            wind: Wind::default(),
+            beaufort: None,
+            spectrum: Spectrum::default(),
+            fetch_km: None,
+            swell: None,
+            chop: 1.0,
+            foam: Foam::default(),
+            seed: 0,
+            mesh: Mesh::default(),
+            quality: Quality::default(),
+            layers: Layers::default(),
+            water_density_per_m: 0.2,
+        }
+    }
+}
+
+impl Settings {
+    /// Speed at 10 m in m/s that drives the waves: the Beaufort grade's where one is given, else the wind's.
+    pub fn wind_speed_mps(&self) -> f64 {
+        self.beaufort.map_or(self.wind.speed_mps, speed_from_beaufort)
+    }
+
+    /// The Beaufort grade of [`Settings::wind_speed_mps`].
+    pub fn beaufort_grade(&self) -> u8 {
+        self.beaufort.unwrap_or_else(|| beaufort_from_speed(self.wind.speed_mps))
+    }
+}
+
+/// Names of the Beaufort grades 0 to 12.
+pub const BEAUFORT_NAMES: [&str; 13] = [
+    "calm",
+    "light air",
+    "light breeze",
+    "gentle breeze",
+    "moderate breeze",
+    "fresh breeze",
+    "strong breeze",
+    "near gale",
+    "gale",
+    "strong gale",
+    "storm",
+    "violent storm",
+    "hurricane",
+];
+
+/// Wind speed in m/s at the middle of a Beaufort grade: 0.836 B^1.5 (World Meteorological Organization, 1970).
+pub fn speed_from_beaufort(grade: u8) -> f64 {
+    let b = f64::from(grade.min(12));
+    0.836 * b * b.sqrt()
+}
+
+/// The Beaufort grade of a wind speed in m/s, by the WMO's table of bounds.
+pub fn beaufort_from_speed(speed_mps: f64) -> u8 {
+    /// Lowest speed in m/s of grades 1 to 12.
+    const LOWEST: [f64; 12] = [0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7];
+    LOWEST.iter().filter(|&&low| speed_mps >= low).count() as u8
+}

@@ -1,0 +1,115 @@
+//! The values of the pairs in a link that have parts or names.
+
+use super::camera::Camera;
+use super::number::{clamped, decimal, decimal_deg, finite, wrapped_deg};
+use super::settings::{Foam, Swell, Wind};
+
+/// Lowest altitude that a link can name, metres: the deepest trench.
+pub const LOWEST_VIEW_M: f64 = -11_000.0;
+
+/// Highest altitude that a link can name, metres.
+pub const HIGHEST_VIEW_M: f64 = 4e7;
+
+/// Reads `lat,lng,alt[,heading[,tilt]]`, degrees and metres.
+pub fn parse_view(text: &str) -> Option<Camera> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let (&[lat, lon, altitude], rest) = parts.split_first_chunk::<3>()?;
+    let (heading, tilt) = match rest {
+        [] => ("0", "0"),
+        [heading] => (*heading, "0"),
+        [heading, tilt] => (*heading, *tilt),
+        _ => return None,
+    };
+    Some(Camera::from_degrees(
+        clamped(lat, -90.0..=90.0)?,
+        finite(lon)? % 360.0,
+        clamped(altitude, LOWEST_VIEW_M..=HIGHEST_VIEW_M)?,
+        wrapped_deg(heading)?,
+        clamped(tilt, 0.0..=180.0)?,
+    ))
+}
+
+/// Writes a camera with as many digits as its height needs: wrong by at most 1/1000 of it, or 1 cm.
+pub fn format_view(camera: &Camera) -> String {
+    /// Length of a degree of latitude, metres, rounded up.
+    const DEGREE_M: f64 = 111_700.0;
+    let altitude_m = camera.altitude_m.clamp(LOWEST_VIEW_M, HIGHEST_VIEW_M);
+    // A power of ten: rounding to it never changes which one it is, so writing what was read gives the same text.
+    let step_m = 10f64.powf((unseen_m(altitude_m).log10() + 1e-9).floor());
+    let altitude = decimal(altitude_m, (-step_m.log10()).round() as i32);
+    let unseen_deg = unseen_m(altitude.parse().unwrap_or(altitude_m)) / DEGREE_M;
+    let digits = (-(2.0 * unseen_deg).log10()).ceil().max(0.0) as i32;
+    let lat = decimal(camera.lat.to_degrees(), digits);
+    let lon = decimal_deg(camera.lon.to_degrees(), -180.0, digits);
+    let heading = decimal_deg(camera.heading.to_degrees(), 0.0, 2);
+    let tilt = decimal(camera.tilt.to_degrees(), 2);
+    match (heading.as_str(), tilt.as_str()) {
+        ("0", "0") => format!("{lat},{lon},{altitude}"),
+        (_, "0") => format!("{lat},{lon},{altitude},{heading}"),
+        _ => format!("{lat},{lon},{altitude},{heading},{tilt}"),
+    }
+}
+
+/// A distance in metres that is not seen from a height.
+fn unseen_m(altitude_m: f64) -> f64 {
+    (altitude_m.abs() * 1e-3).max(0.01)
+}
+
+/// Reads `m/s@degrees FROM`; without `@` the direction is the default's.
+pub fn parse_wind(text: &str) -> Option<Wind> {
+    let (speed, from) = text.split_once('@').map_or((text, None), |(speed, from)| (speed, Some(from)));
+    let from_deg = from.map_or(Some(Wind::default().from_deg), wrapped_deg)?;
+    Some(Wind { speed_mps: clamped(speed, 0.0..=60.0)?, from_deg })
+}
+
+/// Writes a wind, e.g. `13.9@240`.
+pub fn format_wind(wind: Wind) -> String {
+    format!("{}@{}", decimal(wind.speed_mps, 3), decimal_deg(wind.from_deg, 0.0, 2))
+}
+
+/// Reads `height,period,from`.
+pub fn parse_swell(text: &str) -> Option<Swell> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let &[height, period, from] = parts.as_slice() else { return None };
+    Some(Swell {
+        height_m: clamped(height, 0.0..=20.0)?,
+        period_s: clamped(period, 3.0..=30.0)?,
+        from_deg: wrapped_deg(from)?,
+    })
+}
+
+/// Writes a swell, e.g. `2.5,14,310`.
+pub fn format_swell(swell: Swell) -> String {
+    let from = decimal_deg(swell.from_deg, 0.0, 2);
+    format!("{},{},{from}", decimal(swell.height_m, 3), decimal(swell.period_s, 3))
+}
+
+/// Reads `amount[,lifetime]`.
+pub fn parse_foam(text: &str) -> Option<Foam> {
+    let (amount, lifetime) = text.split_once(',').map_or((text, None), |(amount, lifetime)| (amount, Some(lifetime)));
+    let lifetime_s = lifetime.map_or(Some(Foam::default().lifetime_s), |text| clamped(text, 0.1..=60.0))?;
+    Some(Foam { amount: clamped(amount, 0.0..=3.0)?, lifetime_s })
+}
+
+/// Writes foam, e.g. `0.5,10`; the default lifetime is left out.
+pub fn format_foam(foam: Foam) -> String {
+    let lifetime = decimal(foam.lifetime_s, 3);
+    let amount = decimal(foam.amount, 3);
+    if lifetime == decimal(Foam::default().lifetime_s, 3) { amount } else { format!("{amount},{lifetime}") }
+}
+
+/// The item of a list that has a name.
+pub fn named<T: Copy>(all: &[(T, &str)], name: &str) -> Option<T> {
+    all.iter().find(|(_, known)| *known == name.trim()).map(|&(item, _)| item)
+}
+
+/// The name of an item of a list.
+pub fn name_of<T: PartialEq>(all: &[(T, &str)], item: T) -> String {
+    all.iter().find(|(known, _)| *known == item).map_or_else(String::new, |(_, name)| (*name).into())
+}
+
+/// All names of a list, as a remedy for a name that is not among them.
+pub fn names<T>(all: &[(T, &str)]) -> String {
+    let names: Vec<&str> = all.iter().map(|&(_, name)| name).collect();
+    format!("known are {}", names.join(", "))
+}
