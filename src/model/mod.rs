@@ -1,0 +1,22 @@
+//! Floor 0: the science, in f64 and SI units, with no GPU, no files and no network. It doubles as the reference that the
+//! shaders are tested against.
+//!
+//! Everything that feeds the waves takes its transcendental functions from `libm`, never from the platform, so that a seed
+//! and a time give the same sea bit for bit natively and in WebAssembly.
+
+pub mod dispersion;
+pub mod earth;
+pub mod fft;
+pub mod geodesic;
+pub mod noise;
+pub mod optics;
+pub mod quadrature;
+pub mod sea_bed;
+pub mod sea_state;
+pub mod spectrum;
+pub mod sun;
+pub mod surface;
+pub mod waves;
+
+/// Standard gravity, m/s² (CGPM 1901). The sea uses this one value everywhere on the globe.
+pub const GRAVITY: f64 = 9.80665;

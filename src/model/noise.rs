@@ -1,0 +1,33 @@
+//! Random numbers by counter: each wave's noise is a pure function of (seed, cascade, i, j), so nothing depends on the order of
+//! evaluation, on the grid's size or on the platform.
+//!
+//! The key passes twice through SplitMix64's finaliser ([Steele et al.](crate::bibliography::Steele2014)), a bijection of 64
+//! bits in which every input bit flips half of the output bits; two outputs make one
+//! [Box–Muller](crate::bibliography::BoxMuller1958) pair.
+
+/// 2^64 over the golden ratio: SplitMix64's odd increment.
+const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// SplitMix64's finaliser.
+fn mix(mut z: u64) -> u64 {
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}
+
+/// 128 random bits for a key. `i` and `j` are signed wave indices: n·dk with n < 0 for waves that travel the other way.
+pub fn bits(seed: u32, cascade: u32, i: i32, j: i32) -> [u64; 2] {
+    let stream = mix((u64::from(seed) << 32 | u64::from(cascade)).wrapping_add(GOLDEN));
+    let key = mix(stream ^ (u64::from(i as u32) << 32 | u64::from(j as u32)));
+    [mix(key.wrapping_add(GOLDEN)), mix(key.wrapping_add(GOLDEN.wrapping_mul(2)))]
+}
+
+/// Two independent standard normal numbers for a key, see [`bits`].
+pub fn gaussian_pair(seed: u32, cascade: u32, i: i32, j: i32) -> [f64; 2] {
+    let [r, angle] = bits(seed, cascade, i, j);
+    // 53 bits each; the first in (0, 1] so that its logarithm exists, hence |ξ| ≤ sqrt(2·53·ln 2) = 8.57.
+    let unit = |bits: u64| (bits >> 11) as f64 / (1u64 << 53) as f64;
+    let radius = libm::sqrt(-2.0 * libm::log(1.0 - unit(r)));
+    let (sin, cos) = libm::sincos(std::f64::consts::TAU * unit(angle));
+    [radius * cos, radius * sin]
+}

@@ -1,0 +1,125 @@
+//! The water's surface from its amplitudes, in f64: what the GPU's transform must reproduce.
+//!
+//! Signs ([`waves`](super::waves) gives the rest): D = +i k/|k| H with X = x + λD, so that λ > 0 gathers points at the crests.
+
+use super::{
+    fft::{self, Complex, mul},
+    waves::{Cascade, angular_frequencies, cycles_per_tick, phase_u32},
+};
+
+/// The fields of one tile at a moment, n × n each, element (i, j) at j·n + i standing at (i, j)·patch/n.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fields {
+    /// Height η, m.
+    pub eta: Vec<f64>,
+    /// Displacement along x before λ, m.
+    pub dx: Vec<f64>,
+    /// Displacement along y before λ, m.
+    pub dy: Vec<f64>,
+    /// ∂η/∂x.
+    pub eta_x: Vec<f64>,
+    /// ∂η/∂y.
+    pub eta_y: Vec<f64>,
+    /// ∂Dx/∂x.
+    pub dx_x: Vec<f64>,
+    /// ∂Dy/∂y.
+    pub dy_y: Vec<f64>,
+    /// ∂Dx/∂y = ∂Dy/∂x.
+    pub dx_y: Vec<f64>,
+    /// ∂η/∂t, m/s.
+    pub eta_t: Vec<f64>,
+}
+
+/// The fields at a tick of the wave clock: the phases are the GPU's own, to 2⁻³² of a cycle.
+pub fn fields(h0: &[Complex], cascade: &Cascade, ticks: u64) -> Fields {
+    let omega = angular_frequencies(cascade);
+    let phase = |index: usize| {
+        f64::from(phase_u32(cycles_per_tick(omega[index]), ticks)) / 4_294_967_296.0 * std::f64::consts::TAU
+    };
+    fields_at_phases(h0, cascade, &omega, phase)
+}
+
+/// The fields at a time in seconds for given frequencies: for oracles with a dispersion of their own.
+pub fn fields_at(h0: &[Complex], cascade: &Cascade, omega: &[f64], t: f64) -> Fields {
+    fields_at_phases(h0, cascade, omega, |index| omega[index] * t)
+}
+
+/// H(k) and ∂H/∂t at a phase ωt, from h0(k) and h0(−k).
+pub fn evolve(h0: Complex, h0_minus: Complex, omega: f64, phase: f64) -> (Complex, Complex) {
+    let (sin, cos) = libm::sincos(phase);
+    let forward = mul(h0, [cos, -sin]);
+    let backward = mul([h0_minus[0], -h0_minus[1]], [cos, sin]);
+    let h = [forward[0] + backward[0], forward[1] + backward[1]];
+    // −iω(forward − backward)
+    let h_t = [omega * (forward[1] - backward[1]), -omega * (forward[0] - backward[0])];
+    (h, h_t)
+}
+
+/// # Panics
+/// If `h0` does not hold n² elements: both come from the same cascade.
+fn fields_at_phases(h0: &[Complex], cascade: &Cascade, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
+    let n = cascade.n;
+    assert_eq!(h0.len(), n * n, "amplitudes are not those of the cascade");
+    let mut spectra: [Vec<Complex>; 5] = std::array::from_fn(|_| Vec::with_capacity(n * n));
+    for (index, (kx, ky)) in cascade.wave_vectors().enumerate() {
+        let minus = (n - index / n) % n * n + (n - index % n) % n;
+        let (h, h_t) = evolve(h0[index], h0[minus], omega[index], phase(index));
+        let k = libm::sqrt(kx * kx + ky * ky);
+        let (ux, uy) = if k > 0.0 { (kx / k, ky / k) } else { (0.0, 0.0) };
+        let times_i = |s: f64| [-s * h[1], s * h[0]];
+        let times = |s: f64| [s * h[0], s * h[1]];
+        // a + ib of two Hermitian spectra: the transform brings both real fields at once.
+        let pack = |a: Complex, b: Complex| [a[0] - b[1], a[1] + b[0]];
+        spectra[0].push(pack(times_i(ux), times_i(uy)));
+        spectra[1].push(pack(h, times(-kx * uy)));
+        spectra[2].push(pack(times_i(kx), times_i(ky)));
+        spectra[3].push(pack(times(-kx * ux), times(-ky * uy)));
+        spectra[4].push(h_t);
+    }
+    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y), (eta_t, _)] = spectra.map(|mut grid| {
+        fft::inverse_2d(&mut grid, n);
+        grid.into_iter().map(|[re, im]| (re, im)).unzip::<f64, f64, Vec<_>, Vec<_>>()
+    });
+    Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t }
+}
+
+/// ∂(X, Y)/∂(x, y) of the choppy map, as its three numbers (it is symmetric): 1 + λDx_x, 1 + λDy_y, λDx_y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChopGradient {
+    /// 1 + λ ∂Dx/∂x.
+    pub xx: f64,
+    /// 1 + λ ∂Dy/∂y.
+    pub yy: f64,
+    /// λ ∂Dx/∂y.
+    pub xy: f64,
+}
+
+impl ChopGradient {
+    /// From the summed gradients of all cascades and λ. Sum first: the determinant of a sum is not a sum.
+    pub fn new(dx_x: f64, dy_y: f64, dx_y: f64, chop: f64) -> Self {
+        Self { xx: 1.0 + chop * dx_x, yy: 1.0 + chop * dy_y, xy: chop * dx_y }
+    }
+
+    /// The Jacobian J: area per area at rest; below 0 the surface has folded over.
+    pub fn jacobian(&self) -> f64 {
+        self.xx * self.yy - self.xy * self.xy
+    }
+
+    /// The smaller eigenvalue: below 0 exactly where the map folds along some direction.
+    pub fn min_eigenvalue(&self) -> f64 {
+        0.5 * (self.xx + self.yy) - libm::hypot(0.5 * (self.xx - self.yy), self.xy)
+    }
+
+    /// The slope of the displaced surface from the slopes at rest, (I + λ∇D)⁻ᵀ ∇η; not finite where J is 0.
+    pub fn true_slope(&self, eta_x: f64, eta_y: f64) -> [f64; 2] {
+        let j = self.jacobian();
+        [(self.yy * eta_x - self.xy * eta_y) / j, (self.xx * eta_y - self.xy * eta_x) / j]
+    }
+}
+
+impl Fields {
+    /// The choppy map's gradient at an element, for this tile alone.
+    pub fn chop_gradient(&self, index: usize, chop: f64) -> ChopGradient {
+        ChopGradient::new(self.dx_x[index], self.dy_y[index], self.dx_y[index], chop)
+    }
+}
