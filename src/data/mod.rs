@@ -1,0 +1,31 @@
+//! Floor 1: foreign bytes become typed grids.
+//!
+//! Tile addresses ([`tile`]), the two tile codecs ([`terrarium`], [`water`]), the archive format that holds them
+//! ([`pmtiles`]), where bytes come from ([`fetch`]: the only place that differs between
+//! the web and native), and all of it together as one world that loads piece by piece ([`world`]).
+//!
+//! Every reader here treats its input as hostile: sizes are bounded before memory is taken, arithmetic is checked, and
+//! what is wrong comes back as [`crate::error::Error`], never as a panic.
+
+pub mod fetch;
+pub mod pmtiles;
+mod png_tile;
+pub mod sample;
+pub mod terrarium;
+pub mod tile;
+pub mod water;
+pub mod world;
+
+use std::sync::Arc;
+
+/// The decoded texels of one tile: 256 x 256, row 0 = north (row 0 = largest p.y in the polar pyramids).
+#[derive(Debug, Clone, PartialEq)]
+pub enum TileTexels {
+    /// Elevation in metres over the rest surface of the sea, 65,536 values.
+    Terrain(Vec<f32>),
+    /// Red, green, blue of the water tile and a zero, 65,536 values; see [`water`] for what they mean.
+    Water(Vec<[u8; 4]>),
+}
+
+/// A decoded tile that several readers share.
+pub type SharedTexels = Arc<TileTexels>;

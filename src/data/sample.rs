@@ -1,0 +1,190 @@
+//! What is at one place: elevation, depth, water class, shore distance, looked up in the tiles texel by texel.
+//!
+//! Values are bilinear between texel centres, also across tile borders; where a neighbouring tile is missing, its
+//! parent stands in. The class follows the interpolated distances, so that it changes exactly where the drawn coast is.
+
+use super::tile::{
+    Layer, MapPoint, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texel_size_m, texels_across,
+};
+use super::water::{SATURATION_TEXELS, WaterClass, distance_from_byte};
+use super::{SharedTexels, TileTexels};
+use crate::error::Result;
+use crate::model::sea_bed::shaped_elevation;
+
+/// What is at one place.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Sample {
+    /// Elevation of the ground over the rest surface of the sea, metres; shaped so that it meets the sharp coast.
+    pub elevation_m: f64,
+    /// Depth of the resting ocean, metres; `None` outside of it (the depth of lakes is not known).
+    pub depth_m: Option<f64>,
+    /// What covers the ground.
+    pub class: WaterClass,
+    /// Distance to the ocean's shore, metres, positive in the ocean; at least this much where it is larger than eight
+    /// texels of the coarsest tile. `None` where there is no water tile.
+    pub shore_distance_m: Option<f64>,
+    /// Distance to the nearest lake's shore, metres, positive in the lake; as above.
+    pub lake_distance_m: Option<f64>,
+    /// The level of the terrain tile.
+    pub terrain_level: u8,
+    /// The level of the water tile; `None`: no tile, the class comes from the sign of the elevation.
+    pub water_level: Option<u8>,
+}
+
+/// What a sample needs to know about the terrain archive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terrain {
+    /// Its deepest level.
+    pub deepest: u8,
+    /// The real resolution of its source, metres.
+    pub resolution_m: f64,
+}
+
+/// A way to get at a tile; `None`: the parent serves.
+pub type LookUp<'a> = dyn FnMut(Layer, TileId) -> Result<Option<SharedTexels>> + 'a;
+
+/// What is at geodetic `lat`, `lon` (radians); `None` without any terrain tile.
+///
+/// # Errors
+/// Those of `look_up`.
+pub fn sample(
+    lat: f64,
+    lon: f64,
+    terrain: Terrain,
+    deepest_water: Option<u8>,
+    look_up: &mut LookUp<'_>,
+) -> Result<Option<Sample>> {
+    let projection = Projection::for_latitude(lat);
+    let mut map = Map { projection, at: map_from_lat_lon(projection, lat, lon), look_up };
+    let point = MapPoint::on(projection, lat, lon);
+    let Some((terrain_level, _)) = map.deepest(Layer::Terrain, point, terrain.deepest)? else { return Ok(None) };
+    let Some([raw_m, _]) = map.value(Layer::Terrain, terrain_level)? else { return Ok(None) };
+    let water = match deepest_water {
+        Some(deepest) => map.deepest(Layer::Water, point, deepest)?,
+        None => None,
+    };
+    let Some((water_level, texels)) = water else {
+        let class = if raw_m < 0.0 { WaterClass::Ocean } else { WaterClass::Land };
+        return Ok(Some(Sample {
+            elevation_m: raw_m,
+            depth_m: (raw_m < 0.0).then_some(-raw_m),
+            class,
+            shore_distance_m: None,
+            lake_distance_m: None,
+            terrain_level,
+            water_level: None,
+        }));
+    };
+    let [ocean_m, lake_m] = map.shores(water_level, lat)?;
+    let class = if ocean_m > 0.0 {
+        WaterClass::Ocean
+    } else if lake_m > 0.0 {
+        WaterClass::Lake
+    } else {
+        let nearest = texel_index(point, water_level);
+        match &*texels {
+            TileTexels::Water(texels) if texels[nearest][2] == WaterClass::Island as u8 => WaterClass::Island,
+            _ => WaterClass::Land,
+        }
+    };
+    let elevation_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    Ok(Some(Sample {
+        elevation_m,
+        depth_m: (class == WaterClass::Ocean).then_some(-elevation_m),
+        class,
+        shore_distance_m: Some(ocean_m),
+        lake_distance_m: Some(lake_m),
+        terrain_level,
+        water_level: Some(water_level),
+    }))
+}
+
+/// Index, within its tile of level `z`, of the texel that holds the point.
+fn texel_index(point: MapPoint, z: u8) -> usize {
+    let (column, row) = point.texel(z);
+    (row as usize % TILE_TEXELS) * TILE_TEXELS + column as usize % TILE_TEXELS
+}
+
+/// One map, looked at from one position on it.
+struct Map<'a, 'b> {
+    projection: Projection,
+    at: (f64, f64),
+    look_up: &'a mut LookUp<'b>,
+}
+
+impl Map<'_, '_> {
+    /// The deepest tile that holds the point, from level `from` upwards.
+    fn deepest(&mut self, layer: Layer, point: MapPoint, from: u8) -> Result<Option<(u8, SharedTexels)>> {
+        for z in (0..=from).rev() {
+            if let Some(texels) = (self.look_up)(layer, point.tile(z))? {
+                return Ok(Some((z, texels)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The value at the position itself.
+    fn value(&mut self, layer: Layer, z: u8) -> Result<Option<[f64; 2]>> {
+        self.bilinear(layer, z, self.at)
+    }
+
+    /// Signed distances to the shores of ocean and lakes, metres: from level `z`, and for what is saturated there from
+    /// the level above, and so on. The sign stays that of level `z`.
+    fn shores(&mut self, z: u8, lat: f64) -> Result<[f64; 2]> {
+        let sharp = self.value(Layer::Water, z)?.unwrap_or_default();
+        let mut shores = sharp;
+        for level in (0..z).rev() {
+            let reach_m = (SATURATION_TEXELS - 0.1) * texel_size_m(self.projection, level + 1, lat);
+            if shores.iter().all(|shore| shore.abs() < reach_m) {
+                break;
+            }
+            let Some(coarse) = self.value(Layer::Water, level)? else { continue };
+            for ((shore, coarse), sharp) in shores.iter_mut().zip(coarse).zip(sharp) {
+                if shore.abs() >= reach_m {
+                    *shore = shore.abs().max(coarse.abs()).copysign(sharp);
+                }
+            }
+        }
+        Ok(shores)
+    }
+
+    fn bilinear(&mut self, layer: Layer, z: u8, (x, y): (f64, f64)) -> Result<Option<[f64; 2]>> {
+        let side = texels_across(z);
+        let (gx, gy) = (x * side - 0.5, y * side - 0.5);
+        let (i, j) = (gx.floor(), gy.floor());
+        let (fx, fy) = (gx - i, gy - j);
+        let mut sum = [0.0; 2];
+        for (di, dj, weight) in
+            [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
+        {
+            let Some(value) = self.texel(layer, z, i as i64 + di, j as i64 + dj)? else { return Ok(None) };
+            sum = [sum[0] + weight * value[0], sum[1] + weight * value[1]];
+        }
+        Ok(Some(sum))
+    }
+
+    /// The value of one world texel, from its own tile or, where that is missing, interpolated from the levels above:
+    /// [elevation, 0] or [ocean shore, lake shore], metres.
+    fn texel(&mut self, layer: Layer, z: u8, column: i64, row: i64) -> Result<Option<[f64; 2]>> {
+        let side = (TILE_TEXELS as i64) << z;
+        let column = match self.projection {
+            Projection::Mercator => column.rem_euclid(side),
+            _ => column.clamp(0, side - 1),
+        };
+        let row = row.clamp(0, side - 1);
+        let tile = TileId { projection: self.projection, z, x: (column >> 8) as u32, y: (row >> 8) as u32 };
+        let centre = ((column as f64 + 0.5) / side as f64, (row as f64 + 0.5) / side as f64);
+        let index = (row & 255) as usize * TILE_TEXELS + (column & 255) as usize;
+        match (self.look_up)(layer, tile)?.as_deref() {
+            Some(TileTexels::Terrain(texels)) => Ok(Some([f64::from(texels[index]), 0.0])),
+            Some(TileTexels::Water(texels)) => {
+                let [ocean, lake, ..] = texels[index];
+                let (lat, _) = lat_lon_from_map(self.projection, centre.0, centre.1);
+                let texel_m = texel_size_m(self.projection, z, lat);
+                Ok(Some([distance_from_byte(ocean) * texel_m, distance_from_byte(lake) * texel_m]))
+            }
+            None if z > 0 => self.bilinear(layer, z - 1, centre),
+            None => Ok(None),
+        }
+    }
+}

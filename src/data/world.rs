@@ -1,0 +1,361 @@
+//! The world as it loads: six archives below one folder or URL, asked for tile by tile, coarse tiles first.
+//!
+//! Nothing here blocks: [`World::request`] notes a wish, [`World::poll`] starts what may start and hands over what has
+//! arrived. A tile that fails is tried again, later and later, and given up after [`ATTEMPTS`] with one line in the
+//! log; it never holds up the others. Decoded tiles stay in a bounded cache for readouts ([`World::sample_resident`]).
+
+mod cache;
+mod slot;
+
+use super::fetch::{Source, Spawner, join, now_s};
+use super::pmtiles::Archive;
+use super::sample::{Sample, Terrain, sample};
+use super::tile::{Layer, Projection, TileId};
+use super::{SharedTexels, TileTexels, terrarium, water};
+use crate::error::{Error, Result};
+use cache::Cache;
+use slot::{Opening, Slot};
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap};
+use std::sync::{Arc, mpsc};
+
+/// How often a tile or an archive is tried.
+pub const ATTEMPTS: u32 = 3;
+/// Tiles that may be on their way at once.
+pub const IN_FLIGHT: usize = 16;
+/// Decoded tiles kept for readouts; 256 KiB each.
+pub const TILES_KEPT: usize = 512;
+/// Wait before the second attempt, seconds; four times as long before the third.
+const FIRST_WAIT_S: f64 = 1.0;
+/// A tile that was given up may be asked for again after this time, seconds.
+const GIVEN_UP_S: f64 = 30.0;
+
+/// What came of a request.
+#[derive(Debug)]
+pub enum Outcome {
+    /// The decoded texels.
+    Tile(SharedTexels),
+    /// The archive has no such tile: the parent serves.
+    Absent,
+    /// The tile was given up: the parent serves.
+    Failed(Error),
+}
+
+/// One answered request.
+#[derive(Debug)]
+pub struct Arrival {
+    /// What was asked for.
+    pub layer: Layer,
+    /// Which tile.
+    pub id: TileId,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// Called, from any thread, when [`World::poll`] has something to do.
+pub type Waker = Arc<dyn Fn() + Send + Sync>;
+
+type Key = (Layer, TileId);
+
+enum Event {
+    Opened(usize, Result<Archive<Source>>),
+    Tile(Key, Result<Option<TileTexels>>),
+}
+
+/// The six archives of a world: terrain and water, each for Mercator and the two poles.
+pub struct World {
+    slots: Vec<Slot>,
+    /// Requests without an answer: how often each has been tried.
+    pending: HashMap<Key, u32>,
+    /// Requests that may start now, coarse tiles first, then in the order of asking.
+    ready: BinaryHeap<Reverse<(u8, u64, Key)>>,
+    /// Requests that wait until a time, seconds.
+    waiting: Vec<(f64, Key)>,
+    /// Tiles given up, until a time, seconds.
+    given_up: HashMap<Key, f64>,
+    answered: Vec<Arrival>,
+    in_flight: usize,
+    asked: u64,
+    /// Requests answered since nothing was pending.
+    done: usize,
+    cache: Cache,
+    sender: mpsc::Sender<Event>,
+    receiver: mpsc::Receiver<Event>,
+    spawner: Spawner,
+    waker: Option<Waker>,
+}
+
+/// Files of a world, by layer and map.
+pub fn archive_name(layer: Layer, projection: Projection) -> String {
+    match projection {
+        Projection::Mercator => format!("{}.pmtiles", layer.name()),
+        polar => format!("{}-{}.pmtiles", layer.name(), polar.name()),
+    }
+}
+
+fn slot_index(layer: Layer, projection: Projection) -> usize {
+    layer as usize * Projection::ALL.len() + projection as usize
+}
+
+impl World {
+    /// The world below a folder (natively) or a URL (in the browser). Returns at once; what is missing shows up as
+    /// failed tiles.
+    pub fn open(base: &str) -> Self {
+        let (sender, receiver) = mpsc::channel();
+        let maps = Layer::ALL.into_iter().flat_map(|layer| Projection::ALL.map(|projection| (layer, projection)));
+        let mut world = Self {
+            slots: maps.map(|(layer, projection)| Slot::new(join(base, &archive_name(layer, projection)))).collect(),
+            pending: HashMap::new(),
+            ready: BinaryHeap::new(),
+            waiting: Vec::new(),
+            given_up: HashMap::new(),
+            answered: Vec::new(),
+            in_flight: 0,
+            asked: 0,
+            done: 0,
+            cache: Cache::new(TILES_KEPT),
+            sender,
+            receiver,
+            spawner: Spawner::default(),
+            waker: None,
+        };
+        world.open_slots();
+        world
+    }
+
+    /// Sets what is called, from any thread, when [`World::poll`] has something to do (a repaint, usually).
+    pub fn set_waker(&mut self, waker: Waker) {
+        self.waker = Some(waker);
+    }
+
+    /// Asks for a tile. Asking again for what is on its way changes nothing; the answer comes from [`World::poll`],
+    /// at its next call for a tile that is still in the cache.
+    pub fn request(&mut self, layer: Layer, id: TileId) {
+        let key = (layer, id);
+        if self.pending.contains_key(&key) {
+            return;
+        }
+        let now = now_s();
+        self.given_up.retain(|_, until| *until > now);
+        self.pending.insert(key, 0);
+        if let Some(texels) = self.cache.get(&key) {
+            self.answer(key, Outcome::Tile(texels));
+        } else if self.given_up.contains_key(&key) {
+            let url = self.slot(layer, id.projection).name.clone();
+            let why = format!("{} tile {id} was given up a moment ago", layer.name());
+            self.answer(key, Outcome::Failed(Error::Fetch { url, why }));
+        } else {
+            self.make_ready(key);
+            self.start();
+        }
+    }
+
+    /// Takes in what has arrived, starts what may start, and returns the answers since the last call.
+    pub fn poll(&mut self) -> Vec<Arrival> {
+        while let Ok(event) = self.receiver.try_recv() {
+            match event {
+                Event::Opened(slot, result) => self.slots[slot].opened(result),
+                Event::Tile(key, result) => self.arrived(key, result),
+            }
+        }
+        let now = now_s();
+        let (due, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|(at, _)| *at <= now);
+        self.waiting = waiting;
+        due.into_iter().for_each(|(_, key): (f64, Key)| self.make_ready(key));
+        self.open_slots();
+        self.start();
+        std::mem::take(&mut self.answered)
+    }
+
+    /// Requests that have no answer yet.
+    pub fn pending(&self) -> usize {
+        self.pending.len()
+    }
+
+    /// Answered requests over all requests since nothing was pending, 0 to 1.
+    pub fn progress(&self) -> f32 {
+        let all = self.done + self.pending.len();
+        if all == 0 { 1.0 } else { self.done as f32 / all as f32 }
+    }
+
+    /// Whether every archive has been opened or given up.
+    pub fn settled(&self) -> bool {
+        self.slots.iter().all(|slot| matches!(slot.opening, Opening::Open(_) | Opening::Failed(_)))
+    }
+
+    /// The deepest level of an archive, once it is open.
+    pub fn max_zoom(&self, layer: Layer, projection: Projection) -> Option<u8> {
+        Some(self.slot(layer, projection).archive()?.header().max_zoom)
+    }
+
+    /// The real resolution of an archive's source, metres, once it is open and where it says so.
+    pub fn resolution_m(&self, layer: Layer, projection: Projection) -> Option<f64> {
+        self.slot(layer, projection).archive()?.metadata().get("resolution_m")?.as_f64().filter(|r| *r > 0.0)
+    }
+
+    /// Who is to be credited for the archives that are open, each once; plain text.
+    pub fn credits(&self) -> Vec<String> {
+        let mut credits: Vec<String> = Vec::new();
+        for archive in self.slots.iter().filter_map(Slot::archive) {
+            if let Some(credit) = archive.metadata().get("attribution").and_then(|a| a.as_str())
+                && !credit.is_empty()
+                && !credits.iter().any(|known| known == credit)
+            {
+                credits.push(credit.to_owned());
+            }
+        }
+        credits
+    }
+
+    /// What is at geodetic `lat`, `lon` (radians), from the tiles in the cache; `None` where not even a coarse terrain
+    /// tile is there.
+    pub fn sample_resident(&mut self, lat: f64, lon: f64) -> Option<Sample> {
+        let terrain = self.terrain_at(lat)?;
+        let deepest_water = self.max_zoom(Layer::Water, Projection::for_latitude(lat));
+        let cache = &mut self.cache;
+        sample(lat, lon, terrain, deepest_water, &mut |layer, id| Ok(cache.get(&(layer, id)))).ok().flatten()
+    }
+
+    /// What is at geodetic `lat`, `lon` (radians), loading what it needs now.
+    ///
+    /// # Errors
+    /// What opening or reading the archives reports; [`Error::BadData`] if there is no terrain at all.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn sample_blocking(&mut self, lat: f64, lon: f64) -> Result<Sample> {
+        let projection = Projection::for_latitude(lat);
+        for layer in Layer::ALL {
+            let slot = &mut self.slots[slot_index(layer, projection)];
+            if slot.archive().is_none() {
+                slot.opening =
+                    Opening::Open(Arc::new(pollster::block_on(Archive::open(Source::new(slot.name.clone())))?));
+            }
+        }
+        let name = self.slot(Layer::Terrain, projection).name.clone();
+        let nothing =
+            || Error::bad_data(&name, "holds no terrain tile", "make the data again with scripts/make-world.sh");
+        let terrain = self.terrain_at(lat).ok_or_else(nothing)?;
+        let deepest_water = self.max_zoom(Layer::Water, projection);
+        let (cache, slots) = (&mut self.cache, &self.slots);
+        let mut look_up = |layer, id: TileId| {
+            if let Some(texels) = cache.get(&(layer, id)) {
+                return Ok(Some(texels));
+            }
+            let Some(archive) = slots[slot_index(layer, id.projection)].archive() else { return Ok(None) };
+            let texels = pollster::block_on(load(archive, (layer, id)))?.map(Arc::new);
+            if let Some(texels) = &texels {
+                cache.put((layer, id), texels.clone());
+            }
+            Ok(texels)
+        };
+        sample(lat, lon, terrain, deepest_water, &mut look_up)?.ok_or_else(nothing)
+    }
+
+    fn terrain_at(&self, lat: f64) -> Option<Terrain> {
+        let projection = Projection::for_latitude(lat);
+        let deepest = self.max_zoom(Layer::Terrain, projection)?;
+        Some(Terrain { deepest, resolution_m: self.resolution_m(Layer::Terrain, projection).unwrap_or(0.0) })
+    }
+
+    fn slot(&self, layer: Layer, projection: Projection) -> &Slot {
+        &self.slots[slot_index(layer, projection)]
+    }
+
+    fn answer(&mut self, key: Key, outcome: Outcome) {
+        if self.pending.remove(&key).is_some() {
+            self.done += 1;
+            self.answered.push(Arrival { layer: key.0, id: key.1, outcome });
+        }
+        if self.pending.is_empty() {
+            self.done = 0;
+        }
+    }
+
+    fn make_ready(&mut self, key: Key) {
+        self.asked += 1;
+        self.ready.push(Reverse((key.1.z, self.asked, key)));
+    }
+
+    fn open_slots(&mut self) {
+        let now = now_s();
+        for (index, slot) in self.slots.iter_mut().enumerate() {
+            if slot.should_open(now) {
+                let (source, sender, waker) = (Source::new(slot.name.clone()), self.sender.clone(), self.waker.clone());
+                self.spawner.spawn(async move {
+                    let _ = sender.send(Event::Opened(index, Archive::open(source).await));
+                    waker.inspect(|wake| wake());
+                });
+            }
+        }
+    }
+
+    /// Starts ready requests while there is room; those whose archive is not open yet stay ready.
+    fn start(&mut self) {
+        let mut later = Vec::new();
+        while self.in_flight < IN_FLIGHT
+            && let Some(Reverse((z, order, key))) = self.ready.pop()
+        {
+            let slot = self.slot(key.0, key.1.projection);
+            match &slot.opening {
+                Opening::Open(archive) if key.1.z > archive.header().max_zoom => self.answer(key, Outcome::Absent),
+                Opening::Open(archive) => {
+                    let (archive, sender, waker) = (archive.clone(), self.sender.clone(), self.waker.clone());
+                    self.in_flight += 1;
+                    self.spawner.spawn(async move {
+                        let _ = sender.send(Event::Tile(key, load(&archive, key).await));
+                        waker.inspect(|wake| wake());
+                    });
+                }
+                Opening::Failed(why) => {
+                    let error = Error::Fetch { url: slot.name.clone(), why: why.clone() };
+                    self.answer(key, Outcome::Failed(error));
+                }
+                _ => later.push(Reverse((z, order, key))),
+            }
+        }
+        self.ready.extend(later);
+    }
+
+    fn arrived(&mut self, key: Key, result: Result<Option<TileTexels>>) {
+        self.in_flight -= 1;
+        match result {
+            Ok(Some(texels)) => {
+                let texels = Arc::new(texels);
+                self.cache.put(key, texels.clone());
+                self.answer(key, Outcome::Tile(texels));
+            }
+            Ok(None) => self.answer(key, Outcome::Absent),
+            Err(error) => {
+                let tried = self.pending.get_mut(&key).map_or(ATTEMPTS, |tried| {
+                    *tried += 1;
+                    *tried
+                });
+                if tried < ATTEMPTS {
+                    self.waiting.push((now_s() + wait_s(tried), key));
+                } else {
+                    log::warn!("{} tile {} is given up, its parent serves: {error}", key.0.name(), key.1);
+                    self.given_up.insert(key, now_s() + GIVEN_UP_S);
+                    self.answer(key, Outcome::Failed(error));
+                }
+            }
+        }
+    }
+}
+
+/// The wait after a failed attempt, seconds.
+fn wait_s(tried: u32) -> f64 {
+    FIRST_WAIT_S * 4f64.powi(tried.saturating_sub(1).min(4) as i32)
+}
+
+async fn load(archive: &Archive<Source>, (layer, id): Key) -> Result<Option<TileTexels>> {
+    let Some(bytes) = archive.tile(id.z, id.x, id.y).await? else { return Ok(None) };
+    let what = format!("{} tile {id}", layer.name());
+    let texels = match layer {
+        Layer::Terrain => {
+            let mapbox = archive.metadata().get("encoding").is_some_and(|e| e == "mapbox");
+            let encoding = if mapbox { terrarium::Encoding::Mapbox } else { terrarium::Encoding::Terrarium };
+            TileTexels::Terrain(terrarium::decode(&what, &bytes, encoding)?)
+        }
+        Layer::Water => TileTexels::Water(water::decode(&what, &bytes)?),
+    };
+    Ok(Some(texels))
+}

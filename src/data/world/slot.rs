@@ -1,0 +1,62 @@
+//! One archive on its way to being open.
+
+use super::{ATTEMPTS, wait_s};
+use crate::data::fetch::{Source, now_s};
+use crate::data::pmtiles::Archive;
+use crate::error::Result;
+use std::sync::Arc;
+
+/// How far the opening has come.
+pub(super) enum Opening {
+    /// To be opened from this time on, seconds.
+    At(f64),
+    /// On its way.
+    Started,
+    /// Open.
+    Open(Arc<Archive<Source>>),
+    /// Given up, and why.
+    Failed(String),
+}
+
+/// An archive, by its path or URL.
+pub(super) struct Slot {
+    pub(super) name: String,
+    pub(super) opening: Opening,
+    tried: u32,
+}
+
+impl Slot {
+    pub(super) fn new(name: String) -> Self {
+        Self { name, opening: Opening::At(f64::NEG_INFINITY), tried: 0 }
+    }
+
+    /// The archive, once open.
+    pub(super) fn archive(&self) -> Option<&Arc<Archive<Source>>> {
+        if let Opening::Open(archive) = &self.opening { Some(archive) } else { None }
+    }
+
+    /// True once each time that the archive is to be opened.
+    pub(super) fn should_open(&mut self, now: f64) -> bool {
+        let due = matches!(self.opening, Opening::At(time) if time <= now);
+        if due {
+            self.opening = Opening::Started;
+        }
+        due
+    }
+
+    /// Takes in the result of an opening.
+    pub(super) fn opened(&mut self, result: Result<Archive<Source>>) {
+        if self.archive().is_some() {
+            return;
+        }
+        self.tried += 1;
+        self.opening = match result {
+            Ok(archive) => Opening::Open(Arc::new(archive)),
+            Err(_) if self.tried < ATTEMPTS => Opening::At(now_s() + wait_s(self.tried)),
+            Err(error) => {
+                log::warn!("an archive is given up: {error}");
+                Opening::Failed(format!("the archive cannot be opened ({error})"))
+            }
+        };
+    }
+}
