@@ -14,7 +14,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use crate::model::earth::{Geodetic, WGS84};
+use crate::error::Result;
+use crate::model::earth::{self, Ellipsoid, Geodetic, WGS84};
 
 /// Full vertical field of view, radians.
 pub const FIELD_OF_VIEW_Y: f64 = PI / 4.0;
@@ -84,7 +85,7 @@ impl Camera {
 
     /// The eye as a geodetic position.
     pub fn geodetic(&self) -> Geodetic {
-        Geodetic { lat: self.lat, lon: self.lon, height_m: self.altitude_m }
+        Geodetic { lat: self.lat, lon: self.lon, height: self.altitude_m }
     }
 
     /// The eye, earth-centred, metres.
@@ -105,23 +106,24 @@ impl Camera {
 
     /// The axes of the view, earth-centred.
     pub fn basis(&self) -> Basis {
-        let ecef_from_enu = WGS84.ecef_from_enu(self.lat, self.lon);
+        let ecef_from_enu = earth::ecef_from_enu(self.lat, self.lon);
         let enu = self.basis_enu();
         Basis { right: ecef_from_enu * enu.right, up: ecef_from_enu * enu.up, forward: ecef_from_enu * enu.forward }
     }
 
     /// The camera at an earth-centred point with given axes; roll, which this camera cannot have, is dropped.
     ///
-    /// Looking straight up or down, the heading comes from the screen's up axis.
-    pub fn from_ecef(eye: DVec3, basis: &Basis) -> Self {
-        let at = WGS84.geodetic_from_ecef(eye);
-        let enu_from_ecef = WGS84.ecef_from_enu(at.lat, at.lon).transpose();
+    /// # Errors
+    /// [`crate::error::Error::BadValue`] for an eye that is not finite or near the earth's centre.
+    pub fn from_ecef(eye: DVec3, basis: &Basis) -> Result<Self> {
+        let at = WGS84.geodetic_from_ecef(eye)?;
+        let enu_from_ecef = earth::ecef_from_enu(at.lat, at.lon).transpose();
         let forward = (enu_from_ecef * basis.forward).normalize_or(DVec3::NEG_Z);
         let right = enu_from_ecef * basis.right;
         let tilt = forward.truncate().length().atan2(-forward.z);
         // The right axis lies level whatever the tilt, so it always gives the heading.
         let heading = if right.truncate().length_squared() > 1e-20 { (-right.y).atan2(right.x) } else { 0.0 };
-        Self { lat: at.lat, lon: at.lon, altitude_m: at.height_m, heading, tilt }.normalized()
+        Ok(Self { lat: at.lat, lon: at.lon, altitude_m: at.height, heading, tilt }.normalized())
     }
 
     /// Unit direction, earth-centred, of the ray through a pixel.
@@ -134,14 +136,20 @@ impl Camera {
 
     /// The first point of the ellipsoid under a pixel; `None` where the ray misses it.
     pub fn unproject(&self, pixel: DVec2, size: DVec2) -> Option<Geodetic> {
-        self.unproject_ecef(pixel, size).map(|point| Geodetic { height_m: 0.0, ..WGS84.geodetic_from_ecef(point) })
+        let place = WGS84.geodetic_from_ecef(self.unproject_ecef(pixel, size)?).ok()?;
+        Some(Geodetic { height: 0.0, ..place })
     }
 
     /// As [`Camera::unproject`], earth-centred, metres.
     pub fn unproject_ecef(&self, pixel: DVec2, size: DVec2) -> Option<DVec3> {
+        self.unproject_onto(&WGS84, pixel, size)
+    }
+
+    /// As [`Camera::unproject_ecef`] for another ellipsoid, such as one as high as the ground.
+    pub fn unproject_onto(&self, ellipsoid: &Ellipsoid, pixel: DVec2, size: DVec2) -> Option<DVec3> {
         let (eye, ray) = (self.eye_ecef(), self.ray(pixel, size));
-        let distance_m = WGS84.ray_hit(eye, ray)?;
-        (distance_m > 0.0 && distance_m.is_finite()).then(|| eye + ray * distance_m)
+        let (near, far) = ellipsoid.ray_hit(eye, ray)?;
+        Some(eye + ray * if near >= 0.0 { near } else { far })
     }
 
     /// The pixel of a place; `None` where it is behind the eye. Places hidden by the globe have pixels too.

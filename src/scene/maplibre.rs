@@ -38,14 +38,14 @@ pub fn camera_from_hash(text: &str) -> Option<Camera> {
     );
     let metres_per_pixel = METRES_PER_PIXEL_AT_ZOOM_0 * centre.lat.cos().max(1e-3) * (-zoom).exp2();
     let distance_m = metres_per_pixel * PAGE_HEIGHT_PX / 2.0 / (FIELD_OF_VIEW_Y / 2.0).tan();
-    Some(camera_over(&centre, distance_m.clamp(LOWEST_M, HIGHEST_M)))
+    camera_over(&centre, distance_m.clamp(LOWEST_M, HIGHEST_M))
 }
 
 /// The eye so far from a place on the ground that its ray through the picture's centre meets it there with the
 /// heading and tilt that `centre` has.
-fn camera_over(centre: &Camera, distance_m: f64) -> Camera {
-    let place: DVec3 = WGS84.ecef_from_geodetic(Geodetic { height_m: 0.0, ..centre.geodetic() });
+fn camera_over(centre: &Camera, distance_m: f64) -> Option<Camera> {
+    let place: DVec3 = WGS84.ecef_from_geodetic(Geodetic { height: 0.0, ..centre.geodetic() });
     let basis: Basis = centre.basis();
-    let camera = Camera::from_ecef(place - basis.forward * distance_m, &basis);
-    Camera { altitude_m: camera.altitude_m.clamp(LOWEST_M, HIGHEST_M), ..camera }
+    let camera = Camera::from_ecef(place - basis.forward * distance_m, &basis).ok()?;
+    Some(Camera { altitude_m: camera.altitude_m.clamp(LOWEST_M, HIGHEST_M), ..camera })
 }

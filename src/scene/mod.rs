@@ -3,12 +3,16 @@
 //! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
 
 pub mod camera;
+pub mod flight;
 pub mod fragment;
+pub mod inertia;
 pub mod layers;
 pub mod maplibre;
+pub mod navigate;
 pub mod number;
 pub mod pair;
 pub mod settings;
 pub mod time;
 pub mod values;
 pub mod view_state;
+pub mod views;

@@ -1,6 +1,7 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
 use super::layers::Layers;
+use crate::model::sea_state;
 
 /// The wind at 10 m over the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,41 +170,11 @@ impl Default for Settings {
 impl Settings {
     /// Speed at 10 m in m/s that drives the waves: the Beaufort grade's where one is given, else the wind's.
     pub fn wind_speed_mps(&self) -> f64 {
-        self.beaufort.map_or(self.wind.speed_mps, speed_from_beaufort)
+        self.beaufort.map_or(self.wind.speed_mps, |grade| sea_state::speed_from_beaufort(f64::from(grade)))
     }
 
     /// The Beaufort grade of [`Settings::wind_speed_mps`].
     pub fn beaufort_grade(&self) -> u8 {
-        self.beaufort.unwrap_or_else(|| beaufort_from_speed(self.wind.speed_mps))
+        self.beaufort.unwrap_or_else(|| sea_state::beaufort_from_speed(self.wind.speed_mps) as u8)
     }
-}
-
-/// Names of the Beaufort grades 0 to 12.
-pub const BEAUFORT_NAMES: [&str; 13] = [
-    "calm",
-    "light air",
-    "light breeze",
-    "gentle breeze",
-    "moderate breeze",
-    "fresh breeze",
-    "strong breeze",
-    "near gale",
-    "gale",
-    "strong gale",
-    "storm",
-    "violent storm",
-    "hurricane",
-];
-
-/// Wind speed in m/s at the middle of a Beaufort grade: 0.836 B^1.5 (World Meteorological Organization, 1970).
-pub fn speed_from_beaufort(grade: u8) -> f64 {
-    let b = f64::from(grade.min(12));
-    0.836 * b * b.sqrt()
-}
-
-/// The Beaufort grade of a wind speed in m/s, by the WMO's table of bounds.
-pub fn beaufort_from_speed(speed_mps: f64) -> u8 {
-    /// Lowest speed in m/s of grades 1 to 12.
-    const LOWEST: [f64; 12] = [0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7];
-    LOWEST.iter().filter(|&&low| speed_mps >= low).count() as u8
 }
