@@ -8,6 +8,8 @@
 //! what is wrong comes back as [`crate::error::Error`], never as a panic.
 
 pub mod fetch;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod netcdf;
 pub mod pmtiles;
 mod png_tile;
 pub mod sample;

@@ -5,8 +5,11 @@
 //! ids, numbered along a Hilbert curve, level after level.
 //!
 //! [`Archive`] reads (gzip or no compression, any depth of leaves up to [`MAX_DEPTH`], clustered or not).
+//! Natively, `write::ArchiveWriter` writes clustered archives, the same bytes for the same tiles.
 
 mod directory;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod write;
 
 pub use directory::{Entry, decode_directory, encode_directory, id_from_zxy, zxy_from_id};
 
