@@ -121,8 +121,9 @@ impl Camera {
         let forward = (enu_from_ecef * basis.forward).normalize_or(DVec3::NEG_Z);
         let right = enu_from_ecef * basis.right;
         let tilt = forward.truncate().length().atan2(-forward.z);
-        // The right axis lies level whatever the tilt, so it always gives the heading.
-        let heading = if right.truncate().length_squared() > 1e-20 { (-right.y).atan2(right.x) } else { 0.0 };
+        let ahead = forward.truncate();
+        // Straight down or up only the right axis, which is level, knows the heading.
+        let heading = if ahead.length() > 1e-4 { ahead.x.atan2(ahead.y) } else { (-right.y).atan2(right.x) };
         Ok(Self { lat: at.lat, lon: at.lon, altitude_m: at.height, heading, tilt }.normalized())
     }
 

@@ -46,7 +46,8 @@ impl ViewState {
         self.settings.water_density_per_m = water_density_per_m;
         let mut errors = Vec::new();
         let mut room = LONGEST;
-        for pair in text.strip_prefix('#').unwrap_or(text).split('&').filter(|pair| !pair.is_empty()) {
+        let pairs = text.split('&').map(|pair| pair.trim_start_matches('#'));
+        for pair in pairs.filter(|pair| !pair.is_empty()) {
             let Some((key, value)) = our_pair(pair, name) else {
                 self.unknown.push(pair.into());
                 continue;

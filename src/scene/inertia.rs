@@ -5,7 +5,8 @@
 use glam::{DQuat, DVec2, DVec3};
 
 use super::camera::{Camera, LOWEST_M};
-use super::navigate::{above_ground, arc, bring, drag_beside, ground_ellipsoid, slide, turn, turned, zoom};
+use super::navigate::{above_ground, arc, bring, drag_beside, ground_ellipsoid, reach_m, slide, turn, turned, zoom};
+use crate::model::earth::WGS84;
 
 /// Time in seconds after which a released globe has slowed to 1/e.
 const SWING_S: f64 = 0.35;
@@ -19,7 +20,7 @@ const MEASURE_S: f64 = 0.06;
 /// Time in seconds in which keys reach 1 − 1/e of their speed.
 const KEYS_S: f64 = 0.12;
 
-/// Heights of the eye per second that a released globe may move at most.
+/// Reaches of the eye per second that a released globe may move at most.
 const FASTEST_SWING: f64 = 3.0;
 
 /// Keys held down, each component −1 to 1.
@@ -77,7 +78,7 @@ impl Navigator {
     /// Lets go: the globe swings on with the speed it has. `held_s`: seconds since it last moved.
     pub fn release(&mut self, camera: &Camera, held_s: f64) {
         self.grab = None;
-        let fastest = FASTEST_SWING * camera.altitude_m.max(LOWEST_M) / camera.eye_ecef().length();
+        let fastest = FASTEST_SWING * reach_m(camera.altitude_m) / WGS84.a;
         self.spin = (self.spin * (-held_s / MEASURE_S).exp()).clamp_length_max(fastest);
     }
 
@@ -123,7 +124,7 @@ impl Navigator {
         }
         self.spin *= left;
         // The rest of the way is less than a pixel of a large screen.
-        if self.spin.length() * SWING_S * camera.eye_ecef().length() < 2e-4 * camera.altitude_m.max(LOWEST_M) {
+        if self.spin.length() * SWING_S * WGS84.a < 2e-4 * reach_m(camera.altitude_m) {
             self.spin = DVec3::ZERO;
         }
     }
@@ -139,7 +140,7 @@ impl Navigator {
     }
 
     fn press(&mut self, camera: &mut Camera, keys: Keys, size: DVec2, ground_m: f64, seconds: f64) {
-        /// Heights of the eye per second that the arrow keys move.
+        /// Reaches of the eye per second that the arrow keys move.
         const SLIDE: f64 = 0.5;
         /// Change of the logarithm of the height per second.
         const RISE: f64 = 1.2;
@@ -158,7 +159,7 @@ impl Navigator {
         };
         let over_m = (camera.altitude_m - ground_m).max(LOWEST_M);
         if self.keys.slide != DVec2::ZERO {
-            let metres = self.keys.slide * SLIDE * over_m * seconds;
+            let metres = self.keys.slide * SLIDE * reach_m(over_m) * seconds;
             *camera = slide(camera, metres.x, metres.y).unwrap_or(*camera);
         }
         if self.keys.rise != 0.0 {

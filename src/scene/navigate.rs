@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::camera::{Basis, Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M, wrap_signed};
-use crate::model::earth::{Ellipsoid, WGS84};
+use super::camera::{Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M, wrap_signed};
+use crate::model::earth::{Ellipsoid, WGS84, ecef_from_enu};
 use crate::model::sea_bed::smoothstep;
 
 /// Tilt at which a descent without any other wish ends, radians: the horizon is in the picture, the sea fills most of it.
@@ -44,14 +44,14 @@ pub fn bring(camera: &Camera, point: DVec3, pixel: DVec2, size: DVec2, ground_m:
     Some(moved)
 }
 
-/// Moves the eye over the ground by metres to the right and ahead, at most a quarter of the globe.
+/// Moves the eye by metres of ground to the right and ahead, at most a quarter of the globe.
 pub fn slide(camera: &Camera, right_m: f64, ahead_m: f64) -> Option<Camera> {
     let (sin, cos) = camera.heading.sin_cos();
-    let axes = crate::model::earth::ecef_from_enu(camera.lat, camera.lon);
+    let axes = ecef_from_enu(camera.lat, camera.lon);
     let way = axes * DVec3::new(cos * right_m + sin * ahead_m, cos * ahead_m - sin * right_m, 0.0);
     let eye = camera.eye_ecef();
     let axis = eye.cross(way).try_normalize()?;
-    let angle = (way.length() / eye.length().max(WGS84.b)).min(PI / 2.0);
+    let angle = (way.length() / WGS84.a).min(PI / 2.0);
     let moved = turned(camera, DQuat::from_axis_angle(axis, angle))?;
     let drift = wrap_signed(moved.heading - camera.heading) * northness(camera.lat).min(northness(moved.lat));
     Some(Camera { heading: moved.heading - drift, ..moved }.normalized())
@@ -59,10 +59,14 @@ pub fn slide(camera: &Camera, right_m: f64, ahead_m: f64) -> Option<Camera> {
 
 /// Drags the sky or the space beside the globe: turns the globe by about what its centre would move.
 pub fn drag_beside(camera: &Camera, delta: DVec2, size: DVec2) -> Option<Camera> {
-    // From far away the globe's own radius decides, not the height.
-    let reach_m = camera.altitude_m.abs() * WGS84.a / (WGS84.a + camera.altitude_m.abs());
-    let metres = reach_m.max(LOWEST_M) * 2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / size.y.max(1.0);
+    let metres = reach_m(camera.altitude_m) * 2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / size.y.max(1.0);
     slide(camera, -delta.x * metres, delta.y * metres)
+}
+
+/// How far the eye reaches at a height, metres: the height near the ground, the globe's own radius from far away.
+pub fn reach_m(over_m: f64) -> f64 {
+    let over_m = over_m.max(LOWEST_M);
+    over_m * WGS84.a / (WGS84.a + over_m)
 }
 
 /// Multiplies the height over the ground by a ratio, keeping the place under a pixel where it is.
@@ -125,10 +129,10 @@ fn northness(lat: f64) -> f64 {
 
 /// The camera carried by a turn about the earth's centre; height and tilt stay what they were.
 pub fn turned(camera: &Camera, turn: DQuat) -> Option<Camera> {
-    let Basis { right, up, forward } = camera.basis();
-    let basis = Basis { right: turn * right, up: turn * up, forward: turn * forward };
-    let moved = Camera::from_ecef(turn * camera.eye_ecef(), &basis).ok()?;
-    Some(Camera { altitude_m: camera.altitude_m, tilt: camera.tilt, ..moved })
+    let at = WGS84.geodetic_from_ecef(turn * camera.eye_ecef()).ok()?;
+    // The right axis is level at every tilt; the forward axis has no heading when it points down.
+    let right = ecef_from_enu(at.lat, at.lon).transpose() * (turn * camera.basis().right);
+    Some(Camera { lat: at.lat, lon: at.lon, heading: (-right.y).atan2(right.x), ..*camera }.normalized())
 }
 
 /// The shortest turn about the centre from one point's direction to another's, exact for the smallest angles.
