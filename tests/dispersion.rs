@@ -78,4 +78,7 @@ fn limits_are_finite() {
     assert_eq!(wavenumber(1.0, f64::INFINITY), 1.0 / GRAVITY);
     assert_eq!(group_velocity(0.0, 10.0), (GRAVITY * 10.0).sqrt());
     assert_eq!(group_ratio(1.0, f64::INFINITY), 0.5);
+    // x = 2kh = 9e-5 and 1.1e-4, on both sides of the series: 1 - x^2/12 to an ulp.
+    assert!((group_ratio(1.0, 4.5e-5) - (1.0 - 6.75e-10)).abs() < 3e-16);
+    assert!((group_ratio(1.0, 5.5e-5) - (1.0 - 1.21e-8 / 12.0)).abs() < 3e-16);
 }

@@ -26,6 +26,7 @@ fn the_formula_at_hand() {
     // 300 m inland, 50 m high: smoothstep(0.1) of R/3; and ocean in the mean: stays below zero, nearly at the shore's level.
     assert!((shaped_elevation(50.0, -300.0, R) - 2.0).abs() < 1e-12, "1.4 m by the grid, 2 m by the least rise");
     assert!((shaped_elevation(-50.0, -300.0, R) + 1.4).abs() < 1e-12);
+    assert_eq!(shaped_elevation(1.0, -50.0, R), 0.5, "1 % inland at least");
     assert_eq!((smoothstep(0.0, 2.0, 1.0), smoothstep(0.0, 0.0, 0.0), smoothstep(0.0, 0.0, -1.0)), (0.5, 1.0, 0.0));
 }
 

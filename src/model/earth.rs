@@ -98,11 +98,12 @@ impl Ellipsoid {
 
     /// The place at an earth-centred position. At the poles, where longitude has no meaning, it is that of `atan2(y, x)`.
     ///
-    /// Within 1e-6 m and 1e-12 rad from −11 km to 40,000 km. The result is the foot of the one normal through the point.
+    /// Within 1e-6 m and 1e-12 rad from −11 km to 40,000 km. Inside the evolute (for WGS 84: within 43 km of the centre), where
+    /// several normals meet, it is the nearest of their feet.
     ///
     /// # Errors
-    /// [`Error::BadValue`] for a position that is not finite, and inside the evolute (for WGS 84: within some 43 km of the
-    /// centre), where several normals meet and no answer is *the* answer.
+    /// [`Error::BadValue`] for a position that is not finite (or so far that its squares are not), and where two or more
+    /// nearest feet are equally near: the disc (oblate), segment (prolate) or point (sphere) about the centre.
     pub fn geodetic_from_ecef(&self, ecef: DVec3) -> Result<Geodetic> {
         let refuse = |remedy: &str| Err(Error::bad_value("position", format!("{ecef:?}"), remedy));
         if !ecef.is_finite() {
@@ -111,25 +112,26 @@ impl Ellipsoid {
         let (a, b) = (self.a, self.b);
         let (p, z) = (ecef.x.hypot(ecef.y), ecef.z);
         let (ap, bz) = (a * p, b * z.abs());
-        if ap.cbrt().powi(2) + bz.cbrt().powi(2) <= ((a - b) * (a + b)).cbrt().powi(2) {
-            return refuse("give a point farther from the earth's centre, where the latitude is unique");
-        }
-        let (a2, b2) = (a * a, b * b);
+        // s = t + min(a², b²) keeps its digits near the pole of the equation, where t would cancel.
+        let difference = (a - b) * (a + b);
+        let (da, db) = (difference.max(0.0), (-difference).max(0.0));
         // Either term alone reaches 1 here, so the root lies to the right and Newton climbs to it without overshooting.
-        let mut t = (ap - a2).max(bz - b2);
-        // The start is within sqrt(2) of the root in t + a² (t + b²): 6 steps double the digits past f64; the rest is margin.
-        for _ in 0..24 {
-            let (u, v) = (ap / (t + a2), bz / (t + b2));
-            let excess = u * u + v * v - 1.0;
-            let step = excess / (2.0 * (u * u / (t + a2) + v * v / (t + b2)));
+        let mut s = (ap - da).max(bz - db);
+        if !(s > 0.0 && s.is_finite()) {
+            return refuse("give a point away from the earth's centre, where the nearest place is unique");
+        }
+        // Outside the evolute the start is within a factor sqrt(2): 6 steps double the digits past f64. Deep inside, a step
+        // multiplies s by 1.5, and the rest are for that.
+        for _ in 0..100 {
+            let (u, v) = (ap / (s + da), bz / (s + db));
+            let step = (u * u + v * v - 1.0) / (2.0 * (u * u / (s + da) + v * v / (s + db)));
             if step.is_nan() || step <= 0.0 {
-                break; // z = 0 or p = 0 starts on the root; later, rounding has the last word
+                break; // on an axis the start is the root; elsewhere rounding has the last word
             }
-            t += step;
+            s += step;
         }
         // The foot's normal is (p/(t+a²), z/(t+b²)); cross-multiplied so that neither pole divides by zero.
-        let (north, out) = (z * (t + a2), p * (t + b2));
-        let lat = north.atan2(out);
+        let lat = (z * (s + da)).atan2(p * (s + db));
         let (sin, cos) = lat.sin_cos();
         // h = r·n − a²/N: stationary in lat, so it keeps the full precision of the input.
         let height = p * cos + z * sin - a * (1.0 - self.e2() * sin * sin).sqrt();
@@ -154,28 +156,13 @@ impl Ellipsoid {
             return None;
         }
         let d = d / length;
-        // The second projection removes the rounding of the first, which a distant origin makes large.
-        let first = -o.dot(d);
-        let c = o + first * d;
-        let again = -c.dot(d);
-        let (middle, c) = (first + again, c + again * d);
-        let half_chord_2 = difference_of_squares(self.a, c);
+        let middle = -o.dot(d);
+        let half_chord_2 = difference_of_squares(self.a, o + middle * d);
         if half_chord_2 < 0.0 {
             return None;
         }
         let half_chord = half_chord_2.sqrt();
-        // near · far = |o|² − a²: the root that would cancel comes from the other one.
-        let product = -difference_of_squares(self.a, o);
-        let (near, far) = if middle > 0.0 {
-            let far = middle + half_chord;
-            (product / far, far)
-        } else {
-            let near = middle - half_chord;
-            if near == 0.0 { (0.0, 0.0) } else { (near, product / near) }
-        };
-        // For a grazing ray the two are nearly equal and the sum form is the better one.
-        let (near, far) =
-            if half_chord < 1e-3 * middle.abs() { (middle - half_chord, middle + half_chord) } else { (near, far) };
+        let (near, far) = (middle - half_chord, middle + half_chord);
         (far >= 0.0).then_some((near / length, far / length))
     }
 
