@@ -1,0 +1,85 @@
+// Bind group 0: what every drawing pass shares. Mirrors `FrameUniform` and `WaveNode` in src/scene/frame.rs (tested).
+//
+// Local frame: metres, origin at the eye, x east, y north, z along the geodetic normal of the eye's foot point.
+// Map squares: 0 Mercator, 1 north stereographic, 2 south stereographic; fixed point, 2^32 = one side, x right, y down.
+
+alias Metres = f32;
+
+struct Frame {
+    clip_from_local: mat4x4f,
+    // A ray through normalised device coordinates (x, y): ray_forward + x * ray_right + y * ray_up (not unit).
+    ray_right: vec3f,
+    eye_altitude: Metres,
+    ray_up: vec3f,
+    semi_major: Metres,
+    ray_forward: vec3f,
+    semi_minor: Metres,
+    // The ellipsoid as a quadric about the eye: F(P) = C + 2 g.P + P'QP in metres; F = 0 on it, F ~ height near it.
+    quadric_diagonal: vec3f,
+    quadric_constant: Metres,
+    quadric_mixed: vec3f,      // xy, xz, yz
+    projector_rise: Metres,    // the projected grid is cast from this far above the eye
+    quadric_gradient: vec3f,
+    projector_constant: Metres,
+    projector_gradient: vec3f,
+    projector_margin: f32,     // how far the grid reaches beyond the screen, in device units
+    // Geodetic trigonometry of the eye's foot.
+    sin_lat: f32,
+    cos_lat: f32,
+    foot_nu: Metres,           // sqrt(a^2 cos^2 + b^2 sin^2)
+    mercator_sin: f32,         // sine of the latitude of the Mercator reference point
+    north_point: vec2f,        // stereographic coordinates of the polar reference points
+    south_point: vec2f,
+    north_delta: vec3f,        // normal at the eye's foot minus normal at the reference point, earth axes turned to the eye's meridian
+    mercator_sin_delta: f32,   // sin_lat - mercator_sin
+    south_delta: vec3f,
+    unused_a: f32,
+    mercator_fixed: vec2u,
+    north_fixed: vec2u,
+    south_fixed: vec2u,
+    meridian: vec2f,           // cosine and sine of the eye's longitude
+    sun: vec3f,                // unit vector towards the sun
+    exposure: f32,
+    viewport: vec2f,           // pixels
+    pixel_angle: f32,          // radians per pixel at the centre
+    water_density: f32,        // rho of alpha = 1 - exp(-rho depth), per metre
+    wind: vec2f,               // velocity of the wind, m/s, east and north at the eye
+    wave_height: Metres,       // significant height Hs
+    chop: f32,
+    mix_near: Metres,          // the FFT's own distance, and the Perlin field's
+    mix_far: Metres,
+    foam: f32,
+    perlin_patch: Metres,
+    patches: vec4f,            // patch lengths of the cascades, metres
+    node_count: u32,
+    layers: u32,               // bit 0 land, 1 sea, 2 sky
+    output: u32,               // 0 the picture, else a measured layer
+    cascade_count: u32,
+    terrain_resolution: Metres,
+    perlin_deviation: Metres,  // standard deviation of the Perlin height
+    crest_height: Metres,      // the highest crest to expect
+    unused_b: f32,
+    // Mean-square slope above the wavenumber 2^(i/2 - 8) rad/m, i = 0…31.
+    slope_variance: array<vec4f, 8>,
+}
+
+// One cell of the wave domain: where its tiles lie, how they are turned, where they start.
+struct WaveNode {
+    origin: vec3f,             // local
+    unused_a: f32,
+    axis_x: vec3f,             // local; the direction waves travel to
+    unused_b: f32,
+    axis_y: vec3f,
+    unused_c: f32,
+    // Tile coordinates of the eye, one pair per cascade, then the Perlin tile; metres, reduced to one period.
+    starts: array<vec4f, 2>,
+    perlin_start: vec4f,
+}
+
+const MAX_NODES = 24u;
+const NEAR: Metres = 0.1;      // reversed depth = NEAR / (distance along the view axis), no far plane
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> nodes: array<WaveNode, MAX_NODES>;
+@group(0) @binding(2) var clamped: sampler;
+@group(0) @binding(3) var repeated: sampler;

@@ -1,0 +1,27 @@
+// Light at sea level from the tables of sky_table.wgsl: radiance of the sky and irradiance of the ground.
+#import atmosphere
+#import sky_coordinates
+
+@group(1) @binding(3) var sky_radiance: texture_3d<f32>;    // view zenith cosine, azimuth from the sun, sun zenith cosine
+@group(1) @binding(4) var sky_irradiance: texture_2d<f32>;  // x: sun zenith cosine
+
+// Sky radiance at sea level towards `direction`, where `up` is the local vertical.
+fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
+    let mu = dot(direction, up);
+    let mu_sun = dot(frame.sun, up);
+    let flat_view = direction - mu * up;
+    let flat_sun = frame.sun - mu_sun * up;
+    let c = dot(flat_view, flat_sun) / max(length(flat_view) * length(flat_sun), 1e-6);
+    let azimuth = acos(clamp(c, -1.0, 1.0)) / PI;
+    let size = vec3f(textureDimensions(sky_radiance));
+    let x = vec3f(view_coordinate(mu), azimuth, sun_coordinate(mu_sun));
+    return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + NIGHT;
+}
+
+fn sky_irradiance_at(mu_sun: f32) -> vec3f {
+    let size = f32(textureDimensions(sky_irradiance).x);
+    let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
+    return textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT * PI;
+}
+
+fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

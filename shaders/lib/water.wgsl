@@ -1,0 +1,49 @@
+// Radiance of a water surface towards the eye: reflected sky and sun, the water body's own light, the bed seen through it.
+#import light
+#import brdf
+
+// Share of irradiance that deep clear sea water sends back up (blue water; C. Mobley 1994, ch. 3).
+const DEEP_REFLECTANCE = vec3f(0.0035, 0.017, 0.043);
+// How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
+const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
+const FOAM_ALBEDO = 0.55;
+
+fn water_alpha(depth: Metres) -> f32 {
+    return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
+}
+
+struct WaterPoint {
+    to_eye: vec3f,
+    up: vec3f,
+    normal: vec3f,
+    slope_variance: f32,   // unresolved, total of both directions
+    alpha: f32,
+    depth: Metres,
+    bed: vec3f,            // radiance of what lies under the water
+    foam: f32,             // share covered
+}
+
+fn water_radiance(w: WaterPoint) -> vec3f {
+    let mu_sun = dot(frame.sun, w.up);
+    let sun = sun_irradiance_at(mu_sun);
+    let ambient = sky_irradiance_at(mu_sun);
+    // A facet that would face away from the eye is hidden by one that does not.
+    var normal = w.normal;
+    let facing = dot(normal, w.to_eye);
+    if facing < 0.02 { normal = normalize(normal + (0.02 - facing) * w.to_eye); }
+    let cos_view = clamp(dot(normal, w.to_eye), 0.0, 1.0);
+    let reflectance = mean_fresnel(cos_view, w.slope_variance);
+    var mirrored = reflect(-w.to_eye, normal);
+    // Roughness tilts grazing reflections towards the zenith (mean of the facets that the eye sees).
+    let lift = 0.7 * sqrt(w.slope_variance) * (1.0 - cos_view);
+    let above = dot(mirrored, w.up);
+    mirrored = normalize(mirrored + (lift + max(-above, 0.0) * 1.1) * w.up);
+    let reflected = sky_at_sea(mirrored, w.up) * reflectance;
+    let sparkle = sun * glitter(w.to_eye, frame.sun, normal, w.up, w.slope_variance);
+    let down = sun * max(mu_sun, 0.0) * (1.0 - fresnel_water(max(mu_sun, 0.0))) + ambient * 0.93;
+    let body = DEEP_REFLECTANCE / PI * down;
+    let bed = w.bed * exp(-BED_ABSORPTION * w.depth);
+    let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
+    let foam = FOAM_ALBEDO / PI * (sun * max(mu_sun, 0.0) + ambient);
+    return mix(reflected + sparkle + through, foam, clamp(w.foam, 0.0, 1.0));
+}

@@ -1,0 +1,153 @@
+// The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
+#import ellipsoid
+
+// displacements: (Dx, Dy, height, dDx/dy); gradients: (dh/dx, dh/dy, dDx/dx, dDy/dy); one layer per cascade.
+@group(1) @binding(0) var displacements: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients: texture_2d_array<f32>;
+@group(1) @binding(2) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, -) of unit standard deviation
+
+const BLEND_WIDTH: Metres = 9000.0;
+
+// Weights of the FFT and the Perlin field; their squares sum to one, so that the variance stays.
+fn mix_weights(distance: Metres) -> vec2f {
+    let r = clamp((distance - frame.mix_near) / (frame.mix_far - frame.mix_near), 0.0, 1.0);
+    let perlin_energy = r * r * (3.0 - 2.0 * r);
+    return vec2f(sqrt(1.0 - perlin_energy), sqrt(perlin_energy));
+}
+
+struct NodeWeights { nearest: f32, norm: f32 }
+
+fn node_distance(index: u32, p: vec3f) -> f32 {
+    return length(p - nodes[index].origin);
+}
+
+// A cell serves up to BLEND_WIDTH beyond the nearest one; squares of the normalised weights sum to one.
+fn node_weight(distance: f32, nearest: f32) -> f32 {
+    return smoothstep(0.0, 1.0, 1.0 - (distance - nearest) / BLEND_WIDTH);
+}
+
+fn node_weights(p: vec3f) -> NodeWeights {
+    var nearest = 1e30;
+    for (var i = 0u; i < frame.node_count; i++) { nearest = min(nearest, node_distance(i, p)); }
+    var sum = 0.0;
+    for (var i = 0u; i < frame.node_count; i++) {
+        let w = node_weight(node_distance(i, p), nearest);
+        sum += w * w;
+    }
+    return NodeWeights(nearest, inverseSqrt(max(sum, 1e-6)));
+}
+
+fn tile_start(index: u32, cascade: u32) -> vec2f {
+    let pair = nodes[index].starts[cascade >> 1u];
+    return select(pair.xy, pair.zw, (cascade & 1u) == 1u);
+}
+
+// Mip level at which a texel is as wide as `footprint`.
+fn mip_for(footprint: Metres, patch_length: Metres, texels: f32) -> f32 {
+    return log2(max(footprint * texels / patch_length, 1.0));
+}
+
+// Beyond a tile's coarsest useful mip nothing is left of it but its mean, zero.
+fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
+    return 1.0 - smoothstep(0.1, 0.4, footprint / patch_length);
+}
+
+// Displacement (east, north, up) of the rest point `p`.
+fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
+    let weights = mix_weights(distance);
+    let found = node_weights(p);
+    let texels = f32(textureDimensions(displacements).x);
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.node_count; i++) {
+        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
+        if w <= 0.0 { continue; }
+        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
+        var own = vec3f(0.0);
+        if weights.x > 0.0 {
+            for (var c = 0u; c < frame.cascade_count; c++) {
+                let length = frame.patches[c];
+                let fade = resolvable(footprint, length);
+                if fade <= 0.0 { continue; }
+                let uv = (local + tile_start(i, c)) / length;
+                own += fade * textureSampleLevel(displacements, repeated, uv, c, mip_for(footprint, length, texels)).xyz;
+            }
+            own *= weights.x * vec3f(frame.chop, frame.chop, 1.0);
+        }
+        if weights.y > 0.0 {
+            let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
+            let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
+            own.z += weights.y * resolvable(footprint, frame.perlin_patch) * frame.perlin_deviation
+                * textureSampleLevel(perlin, repeated, uv, lod).x;
+        }
+        sum += w * (own.x * nodes[i].axis_x + own.y * nodes[i].axis_y + vec3f(0.0, 0.0, own.z));
+    }
+    return sum;
+}
+
+// Slopes of the surface and the folding of its chop, in the local frame (x east, y north).
+struct Slopes {
+    slope: vec2f,          // true slope of the displaced surface
+    unresolved: f32,       // mean-square slope of what the footprint hides
+    fold: f32,             // Jacobian determinant of the horizontal displacement: below 0 the crest folds
+}
+
+fn mean_square_slope_above(k: f32) -> f32 {
+    let x = clamp(2.0 * (log2(max(k, 1e-9)) + 8.0), 0.0, 30.999);
+    let i = u32(x);
+    let a = frame.slope_variance[i >> 2u][i & 3u];
+    let b = frame.slope_variance[(i + 1u) >> 2u][(i + 1u) & 3u];
+    return mix(a, b, x - f32(i));
+}
+
+fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
+    let weights = mix_weights(distance);
+    let found = node_weights(p);
+    let texels = f32(textureDimensions(gradients).x);
+    var slope = vec2f(0.0);
+    var stretch = vec3f(0.0);     // dDx/dx, dDy/dy, dDx/dy in east-north axes
+    for (var i = 0u; i < frame.node_count; i++) {
+        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
+        if w <= 0.0 { continue; }
+        let ax = nodes[i].axis_x.xy;
+        let ay = nodes[i].axis_y.xy;
+        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
+        var own = vec2f(0.0);
+        if weights.x > 0.0 {
+            var g = vec4f(0.0);
+            var mixed = 0.0;
+            for (var c = 0u; c < frame.cascade_count; c++) {
+                let length = frame.patches[c];
+                let fade = resolvable(footprint, length);
+                if fade <= 0.0 { continue; }
+                let uv = (local + tile_start(i, c)) / length;
+                let lod = mip_for(footprint, length, texels);
+                g += fade * textureSampleLevel(gradients, repeated, uv, c, lod);
+                mixed += fade * textureSampleLevel(displacements, repeated, uv, c, lod).w;
+            }
+            own += weights.x * g.xy;
+            let turned = (w * weights.x * frame.chop) * vec3f(g.zw, mixed);
+            stretch += vec3f(
+                turned.x * ax.x * ax.x + turned.y * ay.x * ay.x + 2.0 * turned.z * ax.x * ay.x,
+                turned.x * ax.y * ax.y + turned.y * ay.y * ay.y + 2.0 * turned.z * ax.y * ay.y,
+                turned.x * ax.x * ax.y + turned.y * ay.x * ay.y + turned.z * (ax.x * ay.y + ax.y * ay.x));
+        }
+        if weights.y > 0.0 {
+            let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
+            let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
+            own += weights.y * resolvable(footprint, frame.perlin_patch) * frame.perlin_deviation
+                * textureSampleLevel(perlin, repeated, uv, lod).yz;
+        }
+        slope += w * (own.x * ax + own.y * ay);
+    }
+    // slope = (I + grad D)^-T grad eta, so that the chop steepens the crests.
+    let jxx = 1.0 + stretch.x;
+    let jyy = 1.0 + stretch.y;
+    let fold = jxx * jyy - stretch.z * stretch.z;
+    let true_slope = vec2f(jyy * slope.x - stretch.z * slope.y, jxx * slope.y - stretch.z * slope.x) / max(fold, 0.25);
+    // What the pixel cannot hold becomes roughness; the Perlin tile itself ends at its own Nyquist wavenumber.
+    let k = 3.14159265 / max(footprint, 1e-4);
+    let k_perlin = min(k, 3.14159265 * f32(textureDimensions(perlin).x) / (2.0 * frame.perlin_patch));
+    let unresolved = weights.x * weights.x * mean_square_slope_above(k)
+        + weights.y * weights.y * mean_square_slope_above(k_perlin);
+    return Slopes(true_slope, unresolved, fold);
+}

@@ -1,0 +1,98 @@
+// The sea: a grid even on the screen, cast onto the ellipsoid from above the highest crest, moved by the waves along the
+// ellipsoid's normal, shaded over what the land pass left. The water class decides what is sea, never the depth buffer.
+#import world
+#import waves
+#import water
+#import output
+
+@group(2) @binding(0) var scene_colour: texture_2d<f32>;
+@group(2) @binding(1) var scene_depth: texture_depth_2d;
+
+struct Vertex {
+    @builtin(position) position: vec4f,
+    @location(0) rest: vec3f,          // on the ellipsoid
+    @location(1) moved: vec3f,
+    @location(2) height: f32,
+}
+
+// Grid coordinate in [-1, 1] to device coordinate: the inner part is even on the screen, the rim reaches out to the margin.
+fn stretched(x: f32) -> f32 {
+    let inner = 0.86;
+    let reach = frame.projector_margin;
+    if abs(x) <= inner { return x / inner * 1.02; }
+    let rim = (abs(x) - inner) / (1.0 - inner);
+    return sign(x) * 1.02 * pow(max(reach / 1.02, 1.0), rim);
+}
+
+@vertex
+fn vertex(@location(0) grid: vec2f) -> Vertex {
+    let device = vec2f(stretched(grid.x), stretched(grid.y));
+    let direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
+    var t = surface_hit(ray);
+    let rise = vec3f(0.0, 0.0, frame.projector_rise);
+    var rest = direction * t + rise;
+    if t < 0.0 {
+        // The ray misses: the point of the ellipsoid under its closest approach, or under the eye when it looks away.
+        t = max(-ray.b / ray.a, 0.0);
+        let p = direction * t + rise;
+        let dn = normal_delta(p);
+        rest = p - (dn + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t);
+    }
+    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
+    let distance = length(rest);
+    let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
+    var moved = vec3f(0.0);
+    if frame.wave_height > 0.0 {
+        let displacement = displacement_at(rest, distance, spacing);
+        let point = map_point(up - vec3f(0.0, 0.0, 1.0));
+        let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
+        // Shallow water holds no higher waves: Hs <= 0.5 h (surface of random waves, see physics notes in ARCHITECTURE.md).
+        let allowed = clamp(-ground.elevation * 0.5 / frame.wave_height, 0.0, 1.0);
+        moved = allowed * displacement;
+    }
+    let local = rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up;
+    return Vertex(frame.clip_from_local * vec4f(local, 1.0), rest, local, moved.z);
+}
+
+@fragment
+fn fragment(in: Vertex) -> @location(0) vec4f {
+    let distance = length(in.moved);
+    let direction = in.moved / max(distance, 1e-3);
+    // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
+    var rest = in.rest;
+    if distance * frame.pixel_angle > 0.25 * frame.crest_height {
+        let t = surface_hit(eye_ray(direction));
+        if t > 0.0 { rest = direction * t; }
+    }
+    let dn = normal_delta(rest);
+    let up = dn + vec3f(0.0, 0.0, 1.0);
+    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
+    let grazing = max(abs(dot(direction, up)), 0.002);
+    let across = distance * frame.pixel_angle;
+    let footprint = across / sqrt(grazing);
+    let ground = ground_at(map_point(dn), sin_lat, max(across, 1.0));
+    if !ground.is_ocean { discard; }
+
+    // Land in front of the water hides it; the bed just under it does not.
+    let pixel = vec2u(in.position.xy);
+    let land_depth = textureLoad(scene_depth, pixel, 0);
+    let tolerance = 0.004 + 2.0 / NEAR * in.position.z;      // 0.4 % of the distance, and 2 m: depth = NEAR / z
+    let behind = textureLoad(scene_colour, pixel, 0).rgb;
+    if land_depth > in.position.z * (1.0 + tolerance) && land_depth > 0.0 { discard; }
+
+    let depth = -ground.elevation;
+    let alpha = water_alpha(depth);
+    let slopes = slopes_at(rest, distance, footprint);
+    let calmed = clamp(depth * 0.5 / max(frame.wave_height, 1e-3), 0.0, 1.0);
+    let slope = slopes.slope * calmed;
+    let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
+    let fraction = frame.foam * min(3.84e-6 * pow(length(frame.wind), 3.41), 0.25);
+    let near_foam = frame.foam * smoothstep(0.35, -0.25, slopes.fold) * calmed;
+    let foam = mix(near_foam, fraction, smoothstep(1.5, 25.0, footprint));
+    let water = water_radiance(WaterPoint(-direction, up, normal, max(slopes.unresolved, 1e-5), alpha, depth,
+        behind / max(frame.exposure, 1e-9), foam));
+    let air = scatter_to(direction, distance, 10u);
+    let radiance = water * air.transmittance + air.radiance;
+    return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
+}

@@ -1,0 +1,67 @@
+// The far sea: octaves of tileable gradient noise (K. Perlin 1985, 2002), stretched across the wind, drifting and
+// changing with time, with slopes by central differences of four neighbours.
+// Output (height, dh/dx, dh/dy, 0): unit standard deviation; slopes per metre of the patch.
+
+struct PerlinSettings {
+    // Per octave: drift downwind as a fraction of the patch, turn of the lattice gradients in radians, amplitude, unused.
+    octaves: array<vec4f, OCTAVES>,
+    patch_length: f32,     // metres
+    seed: u32,
+    peak_cells: u32,       // lattice cells per patch of the first octave, along the wind
+    unused: u32,
+}
+
+@group(0) @binding(0) var<uniform> settings: PerlinSettings;
+@group(0) @binding(1) var output: texture_storage_2d<FORMAT, write>;
+
+const OCTAVES = 4u;
+const TURN = 6.283185307179586;
+
+fn hash(p: vec3u) -> u32 {
+    // PCG3D (M. Jarzynski and M. Olano 2020), one word of it.
+    var v = p * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> vec3u(16u);
+    v.x += v.y * v.z;
+    return v.x;
+}
+
+// Gradient noise whose lattice gradients turn slowly, so that the field lives; period `cells`.
+fn noise(p: vec2f, cells: vec2u, octave: u32, turn: f32) -> f32 {
+    let cell = vec2i(floor(p));
+    let f = p - floor(p);
+    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    var corner: array<f32, 4>;
+    for (var c = 0u; c < 4u; c++) {
+        let offset = vec2i(i32(c & 1u), i32(c >> 1u));
+        let wrapped = vec2u((cell + offset + vec2i(cells) * 4) % vec2i(cells));
+        let angle = TURN * f32(hash(vec3u(wrapped, octave + settings.seed * 16u)) >> 8u) / 16777216.0 + turn;
+        corner[c] = dot(vec2f(cos(angle), sin(angle)), f - vec2f(offset));
+    }
+    return mix(mix(corner[0], corner[1], u.x), mix(corner[2], corner[3], u.x), u.y);
+}
+
+fn height(texel: vec2i, size: vec2f) -> f32 {
+    var sum = 0.0;
+    for (var o = 0u; o < OCTAVES; o++) {
+        // Crests run across the wind (x): twice as many cells along it.
+        let cells = vec2u(settings.peak_cells, settings.peak_cells / 2u) << vec2u(o);
+        let octave = settings.octaves[o];
+        let p = ((vec2f(texel) + 0.5) / size - vec2f(octave.x, 0.0)) * vec2f(cells);
+        sum += octave.z * noise(p, cells, o, octave.y);
+    }
+    return sum;
+}
+
+@compute @workgroup_size(8, 8)
+fn octaves(@builtin(global_invocation_id) id: vec3u) {
+    let size = vec2f(textureDimensions(output));
+    let at = vec2i(id.xy);
+    let h = height(at, size);
+    let step = 2.0 * settings.patch_length / size.x;
+    let dx = (height(at + vec2i(1, 0), size) - height(at - vec2i(1, 0), size)) / step;
+    let dy = (height(at + vec2i(0, 1), size) - height(at - vec2i(0, 1), size)) / step;
+    textureStore(output, id.xy, vec4f(h, dx, dy, 0.0));
+}

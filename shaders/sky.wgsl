@@ -1,0 +1,24 @@
+// The sky behind everything: the atmosphere seen from any height, the sun's disc, the stars' darkness.
+#import atmosphere
+#import output
+
+struct Vertex { @builtin(position) position: vec4f, @location(0) device: vec2f }
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> Vertex {
+    let device = vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0;
+    return Vertex(vec4f(device, 0.0, 1.0), device);
+}
+
+@fragment
+fn fragment(in: Vertex) -> @location(0) vec4f {
+    let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
+    if frame.output != PICTURE { return sky_output(); }
+    let scattered = scatter_to(direction, 1e9, 24u);
+    // The disc, 0.267 degrees in radius, darkened towards its limb.
+    let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;
+    let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));
+    let above = step(surface_hit(eye_ray(direction)), 0.0);
+    let sun = min(disc * above * 6.0e4, 6.0e4) * scattered.transmittance * 0.005;
+    return vec4f((scattered.radiance + sun) * frame.exposure, 1.0);
+}

@@ -1,0 +1,239 @@
+//! `ocean-globe render`: a picture, or a measured layer, without a window.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+
+use crate::data::world::World;
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
+use crate::scene::frame::{Frame, Output};
+use crate::scene::view_state::ViewState;
+
+/// Draw a view into a PNG, or measure it into a NumPy array.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  ocean-globe render --state '#view=38.5,-28.6,560,300,78&wind=12@240&time=2026-06-21T15:00:00Z' -o sea.png
+  ocean-globe render --state '#view=20,-30,2e7' --size 1024x1024 -o globe.png
+  ocean-globe render --state '#view=38.5,-28.6,560,300,78' --layer depth -o depth.npy")]
+pub struct RenderArgs {
+    /// The view: a link's fragment, as the page's address shows it.
+    #[arg(long, default_value = "")]
+    pub state: String,
+    /// Width and height in pixels.
+    #[arg(long, default_value = "1280x720")]
+    pub size: String,
+    /// What to write instead of the picture.
+    #[arg(long, value_enum)]
+    pub layer: Option<LayerName>,
+    /// The file to write: .png for a picture, .npy for a layer.
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// The folder of the world's archives.
+    #[arg(long, default_value = "www/data")]
+    pub data: String,
+}
+
+/// A measured layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LayerName {
+    /// Degrees east and north of each pixel; NaN in the sky.
+    Lonlat,
+    /// Metres of water, 0 on land; NaN in the sky.
+    Depth,
+    /// Opacity of the water, 0 on land; NaN in the sky.
+    Mask,
+    /// Metres of the surface over the ellipsoid; NaN in the sky.
+    Height,
+    /// Unit normal: east, north, up at the eye; NaN in the sky.
+    Normal,
+    /// Relative luminance of the radiance, before it is exposed.
+    Luminance,
+    /// 0 land, 1 ocean, 2 lake; NaN in the sky.
+    Class,
+    /// Weight of the far (Perlin) field; NaN in the sky.
+    PerlinWeight,
+}
+
+impl LayerName {
+    fn output(self) -> Output {
+        match self {
+            Self::Lonlat => Output::LonLat,
+            Self::Depth => Output::Depth,
+            Self::Mask => Output::Mask,
+            Self::Height => Output::Height,
+            Self::Normal => Output::Normal,
+            Self::Luminance => Output::Picture,
+            Self::Class => Output::Class,
+            Self::PerlinWeight => Output::PerlinWeight,
+        }
+    }
+}
+
+/// A measured layer: `channels` floats per pixel, rows from the top.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Rows, columns, channels.
+    pub shape: [usize; 3],
+    /// The values.
+    pub values: Vec<f32>,
+}
+
+/// Longest side of a picture.
+const LARGEST: u32 = 8192;
+/// How long a render waits for tiles.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// Width and height from `640x360`.
+///
+/// # Errors
+/// [`Error::BadValue`] for anything else, or sides outside 1 to 8192.
+pub fn parse_size(text: &str) -> Result<[u32; 2]> {
+    let side = |part: &str| part.trim().parse::<u32>().ok().filter(|n| (1..=LARGEST).contains(n));
+    text.split_once(['x', 'X', '×'])
+        .and_then(|(w, h)| Some([side(w)?, side(h)?]))
+        .ok_or_else(|| Error::bad_value("size", text, format!("give WIDTHxHEIGHT, each 1 to {LARGEST}, e.g. 1280x720")))
+}
+
+/// The view of a fragment. What it cannot use is an error here: a script must not get another view than it asked for.
+///
+/// # Errors
+/// The first complaint of the fragment's parser.
+pub fn parse_state(text: &str) -> Result<ViewState> {
+    let (state, complaints) = ViewState::parse_fragment(text, None);
+    complaints.into_iter().next().map_or(Ok(state), Err)
+}
+
+/// A headless renderer over the world in `data`.
+///
+/// # Errors
+/// [`Error::Gpu`] without a usable device, [`Error::Io`] without the folder.
+pub fn headless(data: &str, radiance: Radiance) -> Result<Renderer> {
+    std::fs::read_dir(data).map_err(|e| Error::io(data, e, "name the folder of terrain.pmtiles with --data"))?;
+    let gpu = pollster::block_on(Gpu::headless())?;
+    pollster::block_on(Renderer::with_radiance(gpu, World::open(data), radiance))
+}
+
+/// The frame of a state, at the clock's time where the state says `now`.
+pub fn frame_of(state: &ViewState, size: [u32; 2]) -> Frame {
+    let clock = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
+    let unix_seconds = state.time.unix_seconds(clock);
+    Frame::new(&state.settings, &state.eye(unix_seconds), unix_seconds, size)
+}
+
+/// Loads what the frame needs, then draws it into a new texture of [`TARGET_FORMAT`].
+///
+/// # Errors
+/// [`Error::Fetch`] when tiles do not come in time.
+pub fn draw(renderer: &mut Renderer, frame: &Frame) -> Result<wgpu::Texture> {
+    let start = Instant::now();
+    while !renderer.load(frame) {
+        if start.elapsed() > PATIENCE {
+            return Err(Error::Fetch { url: "the world's tiles".into(), why: "did not arrive within two minutes".into() });
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let gpu = renderer.gpu().clone();
+    let shape = crate::gpu::texture::Shape::picture(frame.size[0], frame.size[1]);
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    renderer.render(&mut encoder, frame, &crate::gpu::texture::view(&target));
+    gpu.queue.submit([encoder.finish()]);
+    Ok(target)
+}
+
+/// RGBA bytes of a state's picture, rows from the top.
+///
+/// # Errors
+/// As [`draw`], or a lost device.
+pub fn picture(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Result<Vec<u8>> {
+    let target = draw(renderer, &frame_of(state, size))?;
+    renderer.gpu().read_texture(&target, 0, 0)
+}
+
+/// A measured layer of a state. The renderer must hold [`Radiance::Single`].
+///
+/// # Errors
+/// As [`picture`].
+pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer: LayerName) -> Result<Measured> {
+    let frame = frame_of(state, size).measuring(layer.output());
+    draw(renderer, &frame)?;
+    let Some(texture) = renderer.radiance() else {
+        return Err(Error::gpu("nothing was drawn", "report this"));
+    };
+    let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
+    let texels = bytes.chunks_exact(16).map(|t| -> [f32; 4] { bytemuck::pod_read_unaligned(t) });
+    let (channels, values): (usize, Vec<f32>) = match layer {
+        LayerName::Luminance => {
+            let exposure = frame.uniform.exposure;
+            (1, texels.map(|t| (0.2126 * t[0] + 0.7152 * t[1] + 0.0722 * t[2]) / exposure).collect())
+        }
+        LayerName::Lonlat => {
+            let (lon, lat) = (frame.camera.lon.to_degrees(), frame.camera.lat.to_degrees());
+            let wrapped = |x: f64| (x + 180.0).rem_euclid(360.0) - 180.0;
+            let absolute = |t: [f32; 4]| {
+                if t[3] == 0.0 { [f32::NAN; 2] } else { [wrapped(lon + f64::from(t[0])) as f32, (lat + f64::from(t[1])) as f32] }
+            };
+            (2, texels.flat_map(absolute).collect())
+        }
+        LayerName::Normal => (3, texels.flat_map(|t| if t[3] == 0.0 { [f32::NAN; 3] } else { [t[0], t[1], t[2]] }).collect()),
+        _ => (1, texels.map(|t| if t[3] == 0.0 { f32::NAN } else { t[0] }).collect()),
+    };
+    Ok(Measured { shape: [size[1] as usize, size[0] as usize, channels], values })
+}
+
+/// An 8-bit RGBA PNG.
+///
+/// # Errors
+/// [`Error::Io`] or [`Error::BadData`] when it cannot be written.
+pub fn write_png(path: &std::path::Path, size: [u32; 2], rgba: &[u8]) -> Result<()> {
+    let name = path.display().to_string();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(rgba));
+    written.map_err(|e| Error::bad_data(&name, e.to_string(), "report this"))?;
+    std::fs::write(path, bytes).map_err(|e| Error::io(name, e, "choose another place with -o"))
+}
+
+/// A NumPy file (format 1.0) of little-endian 32-bit floats in C order.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be written.
+pub fn write_npy(path: &std::path::Path, measured: &Measured) -> Result<()> {
+    let [rows, columns, channels] = measured.shape;
+    let shape = if channels == 1 { format!("({rows}, {columns})") } else { format!("({rows}, {columns}, {channels})") };
+    let mut header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': {shape}, }}");
+    // Magic, version and length take 10 bytes; the whole header ends with a line feed on a multiple of 64.
+    while (10 + header.len() + 1) % 64 != 0 {
+        header.push(' ');
+    }
+    header.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend(measured.values.iter().flat_map(|v| v.to_le_bytes()));
+    std::fs::write(path, bytes).map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// What was wrong with the options, the data or the device.
+pub fn run(args: &RenderArgs) -> Result<()> {
+    let (state, size) = (parse_state(&args.state)?, parse_size(&args.size)?);
+    match args.layer {
+        None => {
+            let mut renderer = headless(&args.data, Radiance::Half)?;
+            write_png(&args.output, size, &picture(&mut renderer, &state, size)?)
+        }
+        Some(layer) => {
+            let mut renderer = headless(&args.data, Radiance::Single)?;
+            write_npy(&args.output, &measure(&mut renderer, &state, size, layer)?)
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Floor 3: how to speak wgpu. Knows nothing of oceans.
+
+pub mod context;
+pub mod mips;
+pub mod pipeline;
+pub mod readback;
+pub mod shader;
+pub mod texture;
+
+pub use context::Gpu;

@@ -1,0 +1,190 @@
+//! Pipelines declared in a line: a shader, its entry points and its bind kinds. All boilerplate lives here.
+
+use super::Gpu;
+
+/// What a binding holds.
+#[derive(Clone, Copy, Debug)]
+pub enum Bind {
+    /// A uniform block.
+    Uniform,
+    /// A read-only storage buffer.
+    Storage,
+    /// A storage buffer that shaders write.
+    StorageWrite,
+    /// A texture read through a filtering sampler.
+    Texture(wgpu::TextureViewDimension),
+    /// A texture read texel by texel.
+    Texels(wgpu::TextureViewDimension),
+    /// A depth texture read texel by texel.
+    Depth,
+    /// A texture that shaders write.
+    Write(wgpu::TextureFormat, wgpu::TextureViewDimension),
+    /// A filtering sampler.
+    Sampler,
+}
+
+impl Bind {
+    fn binding_type(self) -> wgpu::BindingType {
+        use wgpu::{BindingType as T, BufferBindingType as B, TextureSampleType as S};
+        let buffer = |ty| T::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+        let texture = |sample_type, view_dimension| T::Texture { sample_type, view_dimension, multisampled: false };
+        match self {
+            Self::Uniform => buffer(B::Uniform),
+            Self::Storage => buffer(B::Storage { read_only: true }),
+            Self::StorageWrite => buffer(B::Storage { read_only: false }),
+            Self::Texture(view) => texture(S::Float { filterable: true }, view),
+            Self::Texels(view) => texture(S::Float { filterable: false }, view),
+            Self::Depth => texture(S::Depth, wgpu::TextureViewDimension::D2),
+            Self::Write(format, view_dimension) => T::StorageTexture {
+                access: wgpu::StorageTextureAccess::WriteOnly,
+                format,
+                view_dimension,
+            },
+            Self::Sampler => T::Sampler(wgpu::SamplerBindingType::Filtering),
+        }
+    }
+}
+
+impl Gpu {
+    /// The layout of one bind group: bindings 0, 1, 2… visible to `stages`.
+    pub fn layout(&self, label: &str, stages: wgpu::ShaderStages, binds: &[Bind]) -> wgpu::BindGroupLayout {
+        let entries: Vec<_> = binds
+            .iter()
+            .enumerate()
+            .map(|(binding, bind)| wgpu::BindGroupLayoutEntry {
+                binding: binding as u32,
+                visibility: stages,
+                ty: bind.binding_type(),
+                count: None,
+            })
+            .collect();
+        self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+    }
+
+    /// A bind group with resources for bindings 0, 1, 2…
+    pub fn bind(
+        &self,
+        label: &str,
+        layout: &wgpu::BindGroupLayout,
+        resources: &[wgpu::BindingResource],
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> = resources
+            .iter()
+            .enumerate()
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding: binding as u32, resource: resource.clone() })
+            .collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+    }
+
+    fn module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
+    }
+
+    fn pipeline_layout(&self, label: &str, groups: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
+        let groups: Vec<_> = groups.iter().copied().map(Some).collect();
+        self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(label),
+            bind_group_layouts: &groups,
+            immediate_size: 0,
+        })
+    }
+
+    /// Compute pipelines for the `entries` of one composed source.
+    pub fn compute<const N: usize>(
+        &self,
+        label: &str,
+        source: &str,
+        groups: &[&wgpu::BindGroupLayout],
+        entries: [&str; N],
+    ) -> [wgpu::ComputePipeline; N] {
+        let module = self.module(label, source);
+        let layout = self.pipeline_layout(label, groups);
+        entries.map(|entry| {
+            self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(entry),
+                layout: Some(&layout),
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                cache: None,
+            })
+        })
+    }
+
+    /// A drawing pipeline with entries `vertex` and `fragment`; depth, where given, is reversed (greater is nearer).
+    pub fn drawing(
+        &self,
+        label: &str,
+        source: &str,
+        groups: &[&wgpu::BindGroupLayout],
+        buffers: &[wgpu::VertexBufferLayout],
+        target: wgpu::TextureFormat,
+        depth: Option<wgpu::TextureFormat>,
+    ) -> wgpu::RenderPipeline {
+        let module = self.module(label, source);
+        let layout = self.pipeline_layout(label, groups);
+        let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(label),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: Default::default(),
+                buffers: &buffers,
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: depth.map(|format| wgpu::DepthStencilState {
+                format,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment"),
+                compilation_options: Default::default(),
+                targets: &[Some(target.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    /// A buffer with `contents`.
+    pub fn buffer(&self, label: &str, usage: wgpu::BufferUsages, contents: &[u8]) -> wgpu::Buffer {
+        let size = (contents.len() as u64).next_multiple_of(4).max(4);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        self.queue.write_buffer(&buffer, 0, contents);
+        buffer
+    }
+
+    /// An uninitialised (zero) buffer of `size` bytes.
+    pub fn empty_buffer(&self, label: &str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+    }
+
+    /// A sampler that filters linearly, mip levels included.
+    pub fn sampler(&self, label: &str, address: wgpu::AddressMode) -> wgpu::Sampler {
+        self.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some(label),
+            address_mode_u: address,
+            address_mode_v: address,
+            address_mode_w: address,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        })
+    }
+}

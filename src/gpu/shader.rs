@@ -1,0 +1,56 @@
+//! WGSL with `#import name`: each library of `shaders/lib` is inserted once, before its first user.
+
+use std::collections::HashSet;
+
+/// Every shader library by name.
+pub const LIBRARY: &[(&str, &str)] = &[
+    ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
+    ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
+    ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
+    ("frame", include_str!("../../shaders/lib/frame.wgsl")),
+    ("light", include_str!("../../shaders/lib/light.wgsl")),
+    ("map", include_str!("../../shaders/lib/map.wgsl")),
+    ("noise", include_str!("../../shaders/lib/noise.wgsl")),
+    ("output", include_str!("../../shaders/lib/output.wgsl")),
+    ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
+    ("water", include_str!("../../shaders/lib/water.wgsl")),
+    ("waves", include_str!("../../shaders/lib/waves.wgsl")),
+    ("world", include_str!("../../shaders/lib/world.wgsl")),
+];
+
+/// The complete text of a shader: imports resolved, `definitions` put first.
+///
+/// # Panics
+/// When a shader imports a library that does not exist: a fault of the program, caught by the shader tests.
+pub fn composed(source: &str, definitions: &str) -> String {
+    let mut text = String::from(definitions);
+    text.push('\n');
+    append(source, &mut HashSet::new(), &mut text);
+    text
+}
+
+fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
+    for line in source.lines() {
+        let Some(name) = line.strip_prefix("#import ") else {
+            text.push_str(line);
+            text.push('\n');
+            continue;
+        };
+        let name = name.trim();
+        if seen.insert(name.to_owned()) {
+            let found = LIBRARY.iter().find(|(known, _)| *known == name);
+            append(found.unwrap_or_else(|| panic!("no shader library {name:?}")).1, seen, text);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn imports_come_once_and_first() {
+        let text = super::composed("#import map\n#import map\nfn own() {}", "const N = 4u;");
+        assert_eq!(text.matches("struct Frame {").count(), 1);
+        assert!(text.starts_with("const N = 4u;"));
+        assert!(text.find("struct Frame").unwrap() < text.find("fn own").unwrap());
+    }
+}

@@ -1,0 +1,60 @@
+//! Bind group 0: the frame's block, the wave cells, two samplers, the world's tiles. Every drawing pass has it.
+
+use crate::gpu::Gpu;
+use crate::gpu::pipeline::Bind;
+use crate::scene::frame::{Frame, FrameUniform, WaveNode};
+use crate::scene::wave_domain::MAX_NODES;
+
+/// The group, its layout, and the buffers behind it.
+pub struct FrameGroup {
+    /// For the pipelines.
+    pub layout: wgpu::BindGroupLayout,
+    /// For the draws.
+    pub group: wgpu::BindGroup,
+    uniform: wgpu::Buffer,
+    nodes: wgpu::Buffer,
+}
+
+impl FrameGroup {
+    /// The group over the terrain and water atlases and their page tables.
+    pub fn new(gpu: &Gpu, atlases: &[wgpu::TextureView; 2], pages: [&wgpu::Buffer; 2]) -> Self {
+        use wgpu::{BufferUsages as B, TextureViewDimension::D2Array};
+        let binds = [
+            Bind::Uniform,
+            Bind::Uniform,
+            Bind::Sampler,
+            Bind::Sampler,
+            Bind::Texels(D2Array),
+            Bind::Texels(D2Array),
+            Bind::Storage,
+            Bind::Storage,
+        ];
+        let layout = gpu.layout("frame", wgpu::ShaderStages::all(), &binds);
+        let uniform = gpu.empty_buffer("frame", B::UNIFORM | B::COPY_DST, size_of::<FrameUniform>() as u64);
+        let nodes = gpu.empty_buffer("nodes", B::UNIFORM | B::COPY_DST, (size_of::<WaveNode>() * MAX_NODES) as u64);
+        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
+        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
+        let group = gpu.bind(
+            "frame",
+            &layout,
+            &[
+                uniform.as_entire_binding(),
+                nodes.as_entire_binding(),
+                wgpu::BindingResource::Sampler(&clamped),
+                wgpu::BindingResource::Sampler(&repeated),
+                wgpu::BindingResource::TextureView(&atlases[0]),
+                wgpu::BindingResource::TextureView(&atlases[1]),
+                pages[0].as_entire_binding(),
+                pages[1].as_entire_binding(),
+            ],
+        );
+        Self { layout, group, uniform, nodes }
+    }
+
+    /// Hands the frame to the GPU.
+    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64) {
+        let uniform = FrameUniform { terrain_resolution: terrain_resolution_m as f32, ..frame.uniform };
+        gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
+        gpu.queue.write_buffer(&self.nodes, 0, bytemuck::cast_slice(&frame.nodes));
+    }
+}

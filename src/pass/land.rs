@@ -1,0 +1,101 @@
+//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw.
+
+use bytemuck::{Pod, Zeroable};
+
+use crate::data::tile::TileId;
+use crate::gpu::{Gpu, shader};
+
+/// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
+pub const GRID: u32 = 64;
+const MOST_TILES: usize = 512;
+
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Instance {
+    square: u32,
+    level: u32,
+    x: u32,
+    y: u32,
+}
+
+/// The composed shader.
+pub fn source() -> String {
+    shader::composed(include_str!("../../shaders/land.wgsl"), "")
+}
+
+/// The pass.
+pub struct Land {
+    pipeline: wgpu::RenderPipeline,
+    grid: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    instances: wgpu::Buffer,
+    count: u32,
+}
+
+/// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
+fn mesh() -> (Vec<[f32; 2]>, Vec<u32>) {
+    let side = GRID + 3;
+    let at = |i: u32| i as f32 - 1.0;
+    let vertices = (0..side * side).map(|v| [at(v % side), at(v / side)]).collect();
+    let cell = |x: u32, y: u32| {
+        let v = y * side + x;
+        [v, v + side, v + 1, v + 1, v + side, v + side + 1]
+    };
+    let indices = (0..side - 1).flat_map(|y| (0..side - 1).flat_map(move |x| cell(x, y))).collect();
+    (vertices, indices)
+}
+
+impl Land {
+    /// The pass into `colour` and `depth` formats; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    pub fn new(
+        gpu: &Gpu,
+        frame: &wgpu::BindGroupLayout,
+        surface: &wgpu::BindGroupLayout,
+        colour: wgpu::TextureFormat,
+        depth: wgpu::TextureFormat,
+    ) -> Self {
+        let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
+        let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
+        let layout = |array_stride: usize, step_mode, attributes| wgpu::VertexBufferLayout {
+            array_stride: array_stride as u64,
+            step_mode,
+            attributes,
+        };
+        let buffers = [
+            layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
+            layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
+        ];
+        let pipeline = gpu.drawing("land", &source(), &[frame, surface], &buffers, colour, Some(depth));
+        let (vertices, indices) = mesh();
+        let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
+        Self {
+            pipeline,
+            grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
+            index_count: indices.len() as u32,
+            indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
+            instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
+            count: 0,
+        }
+    }
+
+    /// Sets the tiles of the next draw.
+    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: &[TileId]) {
+        let instance =
+            |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
+        let instances: Vec<Instance> = tiles.iter().take(MOST_TILES).map(instance).collect();
+        gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
+        self.count = instances.len() as u32;
+    }
+
+    /// One instanced draw.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, surface, &[]);
+        pass.set_vertex_buffer(0, self.grid.slice(..));
+        pass.set_vertex_buffer(1, self.instances.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.index_count, 0, 0..self.count);
+    }
+}

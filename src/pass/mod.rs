@@ -1,0 +1,11 @@
+//! Floor 4: one file per pass; a pass owns its pipelines, textures and bind groups, and knows no other pass.
+
+pub mod fft;
+pub mod frame_group;
+pub mod land;
+pub mod ocean;
+pub mod perlin;
+pub mod sky;
+pub mod sky_table;
+pub mod tonemap;
+pub mod world_tiles;

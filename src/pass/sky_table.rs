@@ -1,0 +1,57 @@
+//! Skylight at sea level, tabulated once: radiance by view and sun, irradiance by sun.
+
+use crate::gpu::pipeline::Bind;
+use crate::gpu::texture::{self, Shape};
+use crate::gpu::{Gpu, shader};
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+const VIEWS: u32 = 32;
+const AZIMUTHS: u32 = 16;
+const SUNS: u32 = 32;
+const IRRADIANCES: u32 = 64;
+
+/// The composed shader.
+pub fn source() -> String {
+    shader::composed(include_str!("../../shaders/sky_table.wgsl"), "")
+}
+
+/// The pass and its tables.
+pub struct SkyTable {
+    pipelines: [wgpu::ComputePipeline; 2],
+    group: wgpu::BindGroup,
+    done: bool,
+    /// View zenith cosine × azimuth from the sun × sun zenith cosine.
+    pub radiance: wgpu::TextureView,
+    /// By sun zenith cosine.
+    pub irradiance: wgpu::TextureView,
+}
+
+impl SkyTable {
+    /// Empty tables; `frame` is the layout of bind group 0.
+    pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout) -> Self {
+        use wgpu::TextureViewDimension::{D2, D3};
+        let binds = [Bind::Write(FORMAT, D3), Bind::Write(FORMAT, D2)];
+        let layout = gpu.layout("sky table", wgpu::ShaderStages::COMPUTE, &binds);
+        let pipelines = gpu.compute("sky table", &source(), &[frame, &layout], ["radiances", "irradiances"]);
+        let usage = wgpu::TextureUsages::STORAGE_BINDING;
+        let volume = Shape { depth: SUNS, dimension: wgpu::TextureDimension::D3, ..Shape::picture(VIEWS, AZIMUTHS) };
+        let radiance = texture::view(&gpu.texture("sky radiance", volume, FORMAT, usage));
+        let irradiance = texture::view(&gpu.texture("sky irradiance", Shape::picture(IRRADIANCES, 1), FORMAT, usage));
+        let views = [&radiance, &irradiance].map(wgpu::BindingResource::TextureView);
+        let group = gpu.bind("sky table", &layout, &views);
+        Self { pipelines, group, done: false, radiance, irradiance }
+    }
+
+    /// Fills the tables the first time; nothing afterwards.
+    pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup) {
+        if std::mem::replace(&mut self.done, true) {
+            return;
+        }
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, &self.group, &[]);
+        pass.set_pipeline(&self.pipelines[0]);
+        pass.dispatch_workgroups(VIEWS / 4, AZIMUTHS / 4, SUNS / 4);
+        pass.set_pipeline(&self.pipelines[1]);
+        pass.dispatch_workgroups(IRRADIANCES / 64, 1, 1);
+    }
+}

@@ -1,0 +1,291 @@
+//! Floor 5: owns the passes. [`Renderer::render`] is one frame, in order, the same in browser, window and headless.
+
+use crate::data::tile::{Layer, Projection};
+use crate::data::world::World;
+use crate::error::Result;
+use crate::gpu::pipeline::Bind;
+use crate::gpu::texture::{self, Shape};
+use crate::gpu::Gpu;
+use crate::pass::fft::{Fft, Precision, WaveData};
+use crate::pass::frame_group::FrameGroup;
+use crate::pass::land::Land;
+use crate::pass::ocean::Ocean;
+use crate::pass::perlin::Perlin;
+use crate::pass::sky::Sky;
+use crate::pass::sky_table::SkyTable;
+use crate::pass::tonemap::Tonemap;
+use crate::pass::world_tiles::WorldTiles;
+use crate::scene::frame::Frame;
+use crate::scene::sea::SeaTables;
+use crate::scene::tiles::visible_tiles;
+use std::sync::Arc;
+
+/// Format of the target that [`Renderer::render`] draws into: display (gamma) values.
+pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// What the scene's radiance is stored in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Radiance {
+    /// 16-bit floats, for pictures.
+    Half,
+    /// 32-bit floats, for measured layers.
+    Single,
+}
+
+impl Radiance {
+    fn format(self) -> wgpu::TextureFormat {
+        match self {
+            Self::Half => wgpu::TextureFormat::Rgba16Float,
+            Self::Single => wgpu::TextureFormat::Rgba32Float,
+        }
+    }
+}
+
+/// The textures whose size is the picture's.
+struct Targets {
+    size: [u32; 2],
+    /// Sky and land, as the sea sees them.
+    scene: wgpu::Texture,
+    scene_depth: wgpu::TextureView,
+    /// Everything.
+    radiance: wgpu::Texture,
+    depth: wgpu::TextureView,
+}
+
+impl Targets {
+    fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> Self {
+        use wgpu::TextureUsages as T;
+        let picture = Shape::picture(size[0], size[1]);
+        let usage = T::RENDER_ATTACHMENT | T::COPY_SRC | T::COPY_DST;
+        let depth = |label| texture::view(&gpu.texture(label, picture, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
+        Self {
+            size,
+            scene: gpu.texture("scene", picture, format, usage),
+            scene_depth: depth("scene depth"),
+            radiance: gpu.texture("radiance", picture, format, usage),
+            depth: depth("depth"),
+        }
+    }
+}
+
+/// Draws frames of one world.
+pub struct Renderer {
+    gpu: Gpu,
+    world: World,
+    radiance_format: wgpu::TextureFormat,
+    tiles: WorldTiles,
+    frame_group: FrameGroup,
+    sky_table: SkyTable,
+    fft: Fft,
+    perlin: Perlin,
+    surface_layout: wgpu::BindGroupLayout,
+    surface_group: wgpu::BindGroup,
+    sky: Sky,
+    land: Land,
+    ocean: Ocean,
+    tonemap: Tonemap,
+    targets: Option<Targets>,
+    sea: Option<Arc<SeaTables>>,
+}
+
+impl Renderer {
+    /// A renderer for pictures.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::Gpu`] when the device refuses a shader or a pipeline.
+    pub async fn new(gpu: Gpu, world: World) -> Result<Self> {
+        Self::with_radiance(gpu, world, Radiance::Half).await
+    }
+
+    /// A renderer whose scene radiance has the given precision.
+    ///
+    /// # Errors
+    /// As [`Renderer::new`].
+    pub async fn with_radiance(gpu: Gpu, world: World, radiance: Radiance) -> Result<Self> {
+        let device = gpu.clone();
+        device.validated(move || Self::build(gpu, world, radiance.format())).await
+    }
+
+    fn build(gpu: Gpu, world: World, radiance: wgpu::TextureFormat) -> Self {
+        use wgpu::TextureViewDimension::{D2, D2Array, D3};
+        let tiles = WorldTiles::new(&gpu);
+        let (atlases, pages) = tiles.bindings();
+        let frame_group = FrameGroup::new(&gpu, &atlases, pages);
+        let frame = &frame_group.layout;
+        let sky_table = SkyTable::new(&gpu, frame);
+        let fft = Fft::new(&gpu, 256, crate::model::waves::CASCADES, Precision::Half);
+        let perlin = Perlin::new(&gpu);
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        let binds =
+            [Bind::Texture(D2Array), Bind::Texture(D2Array), Bind::Texture(D2), Bind::Texture(D3), Bind::Texture(D2)];
+        let surface_layout = gpu.layout("surface", stages, &binds);
+        let surface_group = surface_group(&gpu, &surface_layout, &fft, &perlin, &sky_table);
+        Self {
+            sky: Sky::new(&gpu, frame, radiance),
+            land: Land::new(&gpu, frame, &surface_layout, radiance, DEPTH_FORMAT),
+            ocean: Ocean::new(&gpu, frame, &surface_layout, radiance, DEPTH_FORMAT),
+            tonemap: Tonemap::new(&gpu, TARGET_FORMAT),
+            radiance_format: radiance,
+            tiles,
+            frame_group,
+            sky_table,
+            fft,
+            perlin,
+            surface_layout,
+            surface_group,
+            targets: None,
+            sea: None,
+            gpu,
+            world,
+        }
+    }
+
+    /// Asks for the tiles that a frame needs; true when all have come (or will never come).
+    pub fn load(&mut self, frame: &Frame) -> bool {
+        let visible = visible_tiles(&frame.camera, frame.size);
+        self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &visible);
+        self.world.settled()
+    }
+
+    /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
+    pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
+        let visible = visible_tiles(&frame.camera, frame.size);
+        self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &visible);
+        self.fit(frame.size);
+        self.take_sea(&frame.sea);
+        let Some(targets) = &self.targets else { return };
+
+        let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
+        self.frame_group.upload(&self.gpu, frame, resolution);
+        self.fft.set_time(&self.gpu, frame.ticks());
+        self.perlin.prepare(&self.gpu, frame);
+        self.land.set_tiles(&self.gpu, &visible);
+        let (frame_group, surface) = (&self.frame_group.group, &self.surface_group);
+
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            self.sky_table.dispatch(&mut pass, frame_group);
+            self.fft.dispatch(&mut pass);
+            self.perlin.dispatch(&mut pass);
+            self.fft.dispatch_mips(&mut pass);
+            self.perlin.dispatch_mips(&mut pass);
+        }
+        let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));
+        let layers = frame.uniform.layers;
+        {
+            let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+            if layers & 4 != 0 {
+                self.sky.draw(&mut pass, frame_group);
+            }
+        }
+        {
+            let depth = Some(&targets.scene_depth);
+            let mut pass = begin(encoder, "land", &scene, wgpu::LoadOp::Load, depth);
+            if layers & 1 != 0 {
+                self.land.draw(&mut pass, frame_group, surface);
+            }
+        }
+        encoder.copy_texture_to_texture(
+            targets.scene.as_image_copy(),
+            targets.radiance.as_image_copy(),
+            targets.scene.size(),
+        );
+        {
+            let mut pass = begin(encoder, "sea", &radiance, wgpu::LoadOp::Load, Some(&targets.depth));
+            if layers & 2 != 0 {
+                self.ocean.draw(&mut pass, frame_group, surface);
+            }
+        }
+        let mut pass = begin(encoder, "tonemap", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+        self.tonemap.draw(&mut pass);
+    }
+
+    /// Makes the textures of the picture's size.
+    fn fit(&mut self, size: [u32; 2]) {
+        if self.targets.as_ref().is_some_and(|targets| targets.size == size) {
+            return;
+        }
+        let targets = Targets::new(&self.gpu, size, self.radiance_format);
+        self.ocean.set_scene(&self.gpu, size, &texture::view(&targets.scene), &targets.scene_depth);
+        self.tonemap.set_scene(&self.gpu, &texture::view(&targets.radiance));
+        self.targets = Some(targets);
+    }
+
+    /// Makes the waves of a sea that is not the last one.
+    fn take_sea(&mut self, sea: &Arc<SeaTables>) {
+        if self.sea.as_ref().is_some_and(|kept| kept == sea) {
+            return;
+        }
+        let n = sea.cascades[0].n;
+        if n != self.fft.samples() {
+            self.fft = Fft::new(&self.gpu, n, sea.cascades.len(), Precision::Half);
+            self.surface_group =
+                surface_group(&self.gpu, &self.surface_layout, &self.fft, &self.perlin, &self.sky_table);
+        }
+        self.fft.set_waves(&self.gpu, &sea.cascades, &WaveData::of(sea));
+        self.sea = Some(sea.clone());
+    }
+
+    /// The world, for readouts and credits.
+    pub fn world_mut(&mut self) -> &mut World {
+        &mut self.world
+    }
+
+    /// Whether more tiles are on their way, so that another frame would look different.
+    pub fn needs_redraw(&self) -> bool {
+        !self.world.settled()
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// The scene's radiance, or the measured layer, of the last frame.
+    pub fn radiance(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|targets| &targets.radiance)
+    }
+}
+
+fn surface_group(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    fft: &Fft,
+    perlin: &Perlin,
+    sky: &SkyTable,
+) -> wgpu::BindGroup {
+    let views = [
+        texture::array_view(&fft.displacements),
+        texture::array_view(&fft.gradients),
+        texture::view(&perlin.texture),
+        sky.radiance.clone(),
+        sky.irradiance.clone(),
+    ];
+    gpu.bind("surface", layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
+}
+
+fn begin<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    colour: &wgpu::TextureView,
+    load: wgpu::LoadOp<wgpu::Color>,
+    depth: Option<&wgpu::TextureView>,
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: colour,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+        })],
+        depth_stencil_attachment: depth.map(|view| wgpu::RenderPassDepthStencilAttachment {
+            view,
+            // Reversed depth: 0 is infinitely far.
+            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Store }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    })
+}

@@ -1,0 +1,313 @@
+//! One frame as the GPU sees it. The only place that narrows positions: the eye is subtracted in f64, then f32 begins.
+
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat3, DVec2, DVec3, Mat4, Vec2, Vec3, Vec4};
+
+use super::camera::{Camera, FIELD_OF_VIEW_Y};
+use super::layers::Layer;
+use super::sea::SeaTables;
+use super::settings::Settings;
+use super::wave_domain::{self, Cell, MAX_NODES};
+use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
+use crate::model::earth::{self, WGS84};
+use crate::model::{sea_state, sun};
+
+/// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
+pub const NEAR_M: f64 = 0.1;
+
+/// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Output {
+    /// The picture.
+    #[default]
+    Picture = 0,
+    /// Degrees of longitude and latitude relative to the eye's foot; distance.
+    LonLat = 1,
+    /// Depth of the water in metres.
+    Depth = 2,
+    /// Opacity of the water, 0 on land.
+    Mask = 3,
+    /// Height of the surface over the ellipsoid in metres.
+    Height = 4,
+    /// Unit normal, east, north, up at the eye.
+    Normal = 5,
+    /// 0 land, 1 ocean, 2 lake.
+    Class = 6,
+    /// Weight of the Perlin field in the mix.
+    PerlinWeight = 7,
+}
+
+/// One cell of the wave domain for the GPU; mirrors `WaveNode` in `shaders/lib/frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct WaveNode {
+    pub origin: Vec3,
+    pub unused_a: f32,
+    pub axis_x: Vec3,
+    pub unused_b: f32,
+    pub axis_y: Vec3,
+    pub unused_c: f32,
+    pub starts: [Vec4; 2],
+    pub perlin_start: Vec4,
+}
+
+/// Bind group 0's block; mirrors `Frame` in `shaders/lib/frame.wgsl`, which documents the members.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct FrameUniform {
+    pub clip_from_local: Mat4,
+    pub ray_right: Vec3,
+    pub eye_altitude: f32,
+    pub ray_up: Vec3,
+    pub semi_major: f32,
+    pub ray_forward: Vec3,
+    pub semi_minor: f32,
+    pub quadric_diagonal: Vec3,
+    pub quadric_constant: f32,
+    pub quadric_mixed: Vec3,
+    pub projector_rise: f32,
+    pub quadric_gradient: Vec3,
+    pub projector_constant: f32,
+    pub projector_gradient: Vec3,
+    pub projector_margin: f32,
+    pub sin_lat: f32,
+    pub cos_lat: f32,
+    pub foot_nu: f32,
+    pub mercator_sin: f32,
+    pub north_point: Vec2,
+    pub south_point: Vec2,
+    pub north_delta: Vec3,
+    pub mercator_sin_delta: f32,
+    pub south_delta: Vec3,
+    pub unused_a: f32,
+    pub mercator_fixed: [u32; 2],
+    pub north_fixed: [u32; 2],
+    pub south_fixed: [u32; 2],
+    pub meridian: Vec2,
+    pub sun: Vec3,
+    pub exposure: f32,
+    pub viewport: Vec2,
+    pub pixel_angle: f32,
+    pub water_density: f32,
+    pub wind: Vec2,
+    pub wave_height: f32,
+    pub chop: f32,
+    pub mix_near: f32,
+    pub mix_far: f32,
+    pub foam: f32,
+    pub perlin_patch: f32,
+    pub patches: Vec4,
+    pub node_count: u32,
+    pub layers: u32,
+    pub output: u32,
+    pub cascade_count: u32,
+    pub terrain_resolution: f32,
+    pub perlin_deviation: f32,
+    pub crest_height: f32,
+    pub unused_b: f32,
+    pub slope_variance: [Vec4; 8],
+}
+
+/// Everything that one call of `Renderer::render` draws.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The eye.
+    pub camera: Camera,
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+    /// UTC, seconds since 1970.
+    pub unix_seconds: f64,
+    /// The sea and its tiles.
+    pub sea: Arc<SeaTables>,
+    /// The block for the GPU.
+    pub uniform: FrameUniform,
+    /// The wave cells around the eye.
+    pub nodes: [WaveNode; MAX_NODES],
+}
+
+/// Nearer than this the FFT alone makes the waves, metres.
+pub const MIX_NEAR_M: f64 = 2_000.0;
+/// Farther than this the Perlin field alone does.
+pub const MIX_FAR_M: f64 = 16_000.0;
+/// The Perlin tile holds this many peak wavelengths.
+const PERLIN_WAVES: f64 = 5.0;
+
+/// Length of the Perlin tile of a sea, metres.
+pub fn perlin_patch_m(sea: &SeaTables) -> f64 {
+    (PERLIN_WAVES * sea.peak_wavelength_m).clamp(120.0, 8_000.0)
+}
+
+impl Frame {
+    /// The frame that `camera` sees at a UTC instant, `size` in pixels.
+    pub fn new(settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
+        let size = size.map(|side| side.max(1));
+        let sea = SeaTables::of(settings);
+        let mut uniform = FrameUniform::default();
+        set_view(&mut uniform, camera, size);
+        set_earth(&mut uniform, camera, sea.sea.hs_m);
+        set_map(&mut uniform, camera);
+        set_light(&mut uniform, camera, unix_seconds);
+        set_sea(&mut uniform, settings, &sea);
+        let nodes = wave_nodes(&mut uniform, settings, camera, &sea);
+        Self { camera: *camera, size, unix_seconds, sea, uniform, nodes }
+    }
+
+    /// The same frame, reporting a measured layer instead of the picture.
+    pub fn measuring(mut self, output: Output) -> Self {
+        self.uniform.output = output as u32;
+        self
+    }
+
+    /// The share of the time that goes by in scene seconds is none of the frame's business; this is the instant in wave ticks.
+    pub fn ticks(&self) -> u64 {
+        crate::model::waves::ticks_from_unix(self.unix_seconds)
+    }
+}
+
+fn set_view(u: &mut FrameUniform, camera: &Camera, size: [u32; 2]) {
+    let axes = camera.basis_enu();
+    let half = (FIELD_OF_VIEW_Y / 2.0).tan();
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
+    u.ray_right = (axes.right * half * aspect).as_vec3();
+    u.ray_up = (axes.up * half).as_vec3();
+    u.ray_forward = axes.forward.as_vec3();
+    // Reversed depth, infinite far plane: clip = (x / aspect / half, y / half, near, distance along the view axis).
+    let (right, up, forward) = (axes.right / (half * aspect), axes.up / half, axes.forward);
+    let row = |v: DVec3, w: f64| Vec4::new(v.x as f32, v.y as f32, v.z as f32, w as f32);
+    u.clip_from_local =
+        Mat4::from_cols(row(right, 0.0), row(up, 0.0), row(DVec3::ZERO, NEAR_M), row(forward, 0.0)).transpose();
+    u.viewport = Vec2::new(size[0] as f32, size[1] as f32);
+    u.pixel_angle = (2.0 * half / f64::from(size[1])) as f32;
+}
+
+/// The ellipsoid as the quadric C + 2 g·P + P'QP about the eye, scaled to metres (F ≈ height near the surface).
+fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64) {
+    let (a, b) = (WGS84.a, WGS84.b);
+    let enu = earth::ecef_from_enu(camera.lat, camera.lon);
+    let scale = 0.5 * a;
+    let diagonal = DMat3::from_diagonal(scale / DVec3::new(a * a, a * a, b * b));
+    let q = enu.transpose() * diagonal * enu;
+    let (sin, cos) = camera.lat.sin_cos();
+    let nu = (a * a * cos * cos + b * b * sin * sin).sqrt();
+    // The foot's gradient is exactly along its normal; the height adds Q·h·up. F(eye) follows without cancellation.
+    let gradient_at = |h: f64| DVec3::new(0.0, 0.0, scale / nu) + q * DVec3::new(0.0, 0.0, h);
+    let constant_at = |h: f64| 2.0 * h * scale / nu + h * h * q.z_axis.z;
+    let h = camera.altitude_m;
+    let crest = 1.1 * hs_m;
+    let rise = if h < 40.0 * crest { (1.3 * crest + 0.6 - h).max(0.0) } else { 0.0 };
+    u.eye_altitude = h as f32;
+    u.semi_major = a as f32;
+    u.semi_minor = b as f32;
+    u.quadric_diagonal = DVec3::new(q.x_axis.x, q.y_axis.y, q.z_axis.z).as_vec3();
+    u.quadric_mixed = DVec3::new(q.y_axis.x, q.z_axis.x, q.z_axis.y).as_vec3();
+    u.quadric_constant = constant_at(h) as f32;
+    u.quadric_gradient = gradient_at(h).as_vec3();
+    u.projector_rise = rise as f32;
+    u.projector_constant = constant_at(h + rise) as f32;
+    u.projector_gradient = gradient_at(h + rise).as_vec3();
+    // A low eye needs surface that lies below and beside the screen; how far depends on waves over altitude.
+    u.projector_margin = (1.1 + 8.0 * (3.0 * crest / h.abs().max(0.5)).min(1.5)) as f32;
+    u.crest_height = crest.max(0.05) as f32;
+    u.sin_lat = sin as f32;
+    u.cos_lat = cos as f32;
+    u.foot_nu = nu as f32;
+}
+
+/// The reference points of the three map squares: the eye's foot where the square holds it, else its nearest anchor.
+fn set_map(u: &mut FrameUniform, camera: &Camera) {
+    let (lat, lon) = (camera.lat, camera.lon);
+    let anchor = lat.clamp(-MERCATOR_LATITUDE_LIMIT + 0.01, MERCATOR_LATITUDE_LIMIT - 0.01);
+    let fixed = |projection, lat: f64, lon: f64| {
+        let p = MapPoint::on(projection, lat, lon);
+        [p.u, p.v]
+    };
+    u.mercator_sin = anchor.sin() as f32;
+    u.mercator_sin_delta = (lat.sin() - anchor.sin()) as f32;
+    u.mercator_fixed = fixed(Projection::Mercator, anchor, lon);
+    u.meridian = DVec2::new(lon.cos(), lon.sin()).as_vec2();
+    let foot = DVec3::new(lat.cos(), 0.0, lat.sin());
+    let polar = |side: f64, projection| {
+        let near = lat * side > 80f64.to_radians();
+        let point = if near { DVec2::new(foot.x / (1.0 + side * foot.z), 0.0) } else { DVec2::ZERO };
+        let reference = if near { foot } else { DVec3::new(0.0, 0.0, side) };
+        let at = if near { lat } else { side * std::f64::consts::FRAC_PI_2 };
+        (point.as_vec2(), (foot - reference).as_vec3(), fixed(projection, at, lon))
+    };
+    (u.north_point, u.north_delta, u.north_fixed) = polar(1.0, Projection::North);
+    (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
+}
+
+fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
+    let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
+    let sun = sun::sun_direction_ecef(unix_seconds);
+    u.sun = (ecef_from_enu.transpose() * sun).as_vec3();
+    // The eye adapts to twilight near the ground, and not at all to the lit globe that it sees from space.
+    let mu = earth::normal(camera.lat, camera.lon).dot(sun);
+    let day = ((mu + 0.17) / 0.42).clamp(0.0, 1.0);
+    let night_gain = 40f64.powf((1.0 - day).powi(2));
+    let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
+    u.exposure = (5.5 * night_gain.powf(low)) as f32;
+}
+
+fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
+    let speed = settings.wind_speed_mps();
+    let (east, north) = sea_state::wind_components(speed, settings.wind.from_deg.to_radians());
+    u.wind = Vec2::new(east as f32, north as f32);
+    u.water_density = settings.water_density_per_m as f32;
+    u.wave_height = sea.sea.hs_m as f32;
+    u.chop = settings.chop as f32;
+    u.mix_near = MIX_NEAR_M as f32;
+    u.mix_far = MIX_FAR_M as f32;
+    u.foam = settings.foam.amount as f32;
+    u.perlin_patch = perlin_patch_m(sea) as f32;
+    u.perlin_deviation = (sea.sea.hs_m / 4.0) as f32;
+    let patch = |i: usize| sea.cascades.get(i).map_or(1.0, |c| c.patch_m as f32);
+    u.patches = Vec4::new(patch(0), patch(1), patch(2), patch(3));
+    u.cascade_count = sea.cascades.len() as u32;
+    let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
+    u.layers = shows(Layer::Land, 1) | shows(Layer::Sea, 2) | shows(Layer::Sky, 4);
+    for (i, value) in sea.slope_variance.iter().enumerate() {
+        u.slope_variance[i / 4][i % 4] = *value;
+    }
+}
+
+fn wave_nodes(
+    u: &mut FrameUniform,
+    settings: &Settings,
+    camera: &Camera,
+    sea: &SeaTables,
+) -> [WaveNode; MAX_NODES] {
+    let eye = camera.eye_ecef();
+    let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
+    let cells = wave_domain::cells_near(camera.lat, camera.lon);
+    u.node_count = cells.len() as u32;
+    let perlin = perlin_patch_m(sea);
+    let node = |cell: &Cell| {
+        let (x, y) = cell.axes(settings.wind.from_deg.to_radians());
+        let eye_in_cell = DVec2::new((eye - cell.centre).dot(x), (eye - cell.centre).dot(y));
+        let start = |tile: u32, patch_m: f64| {
+            let at = eye_in_cell + cell.offset(settings.seed, tile, patch_m);
+            DVec2::new(at.x.rem_euclid(patch_m), at.y.rem_euclid(patch_m)).as_vec2()
+        };
+        let cascade = |i: usize| sea.cascades.get(i).map_or(Vec2::ZERO, |c| start(i as u32, c.patch_m));
+        let pair = |i: usize| Vec4::from((cascade(i), cascade(i + 1)));
+        WaveNode {
+            origin: (enu_from_ecef * (cell.centre - eye)).as_vec3(),
+            axis_x: (enu_from_ecef * x).as_vec3(),
+            axis_y: (enu_from_ecef * y).as_vec3(),
+            starts: [pair(0), pair(2)],
+            perlin_start: Vec4::from((start(15, perlin), Vec2::ZERO)),
+            ..WaveNode::default()
+        }
+    };
+    let mut nodes = [WaveNode::default(); MAX_NODES];
+    for (slot, cell) in nodes.iter_mut().zip(&cells) {
+        *slot = node(cell);
+    }
+    nodes
+}
