@@ -1,5 +1,5 @@
 //! The papers and books behind the equations, as linkable items: code that uses an equation links to the item here and keeps
-//! the source's letters. An item holds no code; rustdoc lists what cites it.
+//! the source's letters. An item holds no code and cannot be made: it is a name to link to.
 
 /// Phillips, O. M. (1958), *The equilibrium range in the spectrum of wind-generated waves*, J. Fluid Mech. 4, 426–434.
 /// <https://doi.org/10.1017/S0022112058000550>
@@ -8,10 +8,6 @@ pub enum Phillips1958 {}
 /// Tessendorf, J. (2001), *Simulating ocean water*, SIGGRAPH course notes 47. The Fourier synthesis of a sea, its choppy
 /// displacement and the Phillips spectrum as renderers write it. No DOI.
 pub enum Tessendorf2001 {}
-
-/// Horvath, C. J. (2015), *Empirical directional wave spectra for computer graphics*, Proc. DigiPro '15, 29–39.
-/// <https://doi.org/10.1145/2791261.2791267>
-pub enum Horvath2015 {}
 
 /// Cox, C. and Munk, W. (1954), *Measurement of the roughness of the sea surface from photographs of the sun's glitter*,
 /// J. Opt. Soc. Am. 44, 838–850. <https://doi.org/10.1364/JOSA.44.000838>
@@ -33,9 +29,9 @@ pub enum Nayar2014 {}
 /// v = 0.836 B^1.5 m/s is the WMO's of 1946.
 pub enum WmoBeaufort {}
 
-/// Fritsch, F. N. and Carlson, R. E. (1980), *Monotone piecewise cubic interpolation*, SIAM J. Numer. Anal. 17, 238–246.
-/// <https://doi.org/10.1137/0717021>
-pub enum FritschCarlson1980 {}
+/// Fritsch, F. N. and Butland, J. (1984), *A method for constructing local monotone piecewise cubic interpolants*, SIAM J.
+/// Sci. Stat. Comput. 5, 300–304. <https://doi.org/10.1137/0905021>
+pub enum FritschButland1984 {}
 
 /// NGA.STND.0036 (2014), *Department of Defense World Geodetic System 1984*, version 1.0.0: the ellipsoid's constants.
 pub enum Wgs84Standard {}
@@ -51,10 +47,6 @@ pub enum Karney2013 {}
 /// Meeus, J. (1998), *Astronomical Algorithms*, 2nd ed., Willmann-Bell, ISBN 0-943396-61-1: chapter 12 (sidereal time) and
 /// chapter 25 (the sun to 0.01 degrees).
 pub enum Meeus1998 {}
-
-/// Michalsky, J. J. (1988), *The Astronomical Almanac's algorithm for approximate solar position (1950–2050)*, Solar Energy
-/// 40, 227–235. <https://doi.org/10.1016/0038-092X(88)90045-X>
-pub enum Michalsky1988 {}
 
 /// Schlick, C. (1994), *An inexpensive BRDF model for physically-based rendering*, Computer Graphics Forum 13, 233–246.
 /// <https://doi.org/10.1111/1467-8659.1330233>

@@ -1,6 +1,6 @@
 //! The inverse Fourier transform in f64 that the GPU's is checked against: plain and exact before fast.
 //!
-//! Convention: x[m] = Σ X[n] e^{+2πi nm/N}, with no 1/N. Radix 2, decimation in time
+//! Convention: `x[m] = Σ X[n] e^{+2πi nm/N}`, with no 1/N. Radix 2, decimation in time
 //! ([Cooley and Tukey](crate::bibliography::CooleyTukey1965)); error about 1e-16 log₂N of the RMS.
 
 /// A complex number, [re, im].

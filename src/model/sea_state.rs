@@ -1,6 +1,6 @@
 //! The wind and the sea it makes: Beaufort grades, wave height by wind speed, wind components.
 
-/// Highest wind speed of each Beaufort grade's *start*, m/s: grade B begins at `LOWER_BOUNDS[B]`
+/// The wind speed from which each Beaufort grade counts, m/s: grade B begins at `LOWER_BOUNDS[B]`
 /// ([WMO](crate::bibliography::WmoBeaufort); half-open, so that no speed falls between two grades).
 pub const LOWER_BOUNDS: [f64; 13] = [0.0, 0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7];
 
@@ -46,7 +46,7 @@ pub fn name(grade: usize) -> &'static str {
 /// Significant height of a fully grown sea at a wind speed in m/s, m.
 ///
 /// The table's height stands at v = 0.836 B^1.5; in between a monotone cubic
-/// ([Fritsch and Carlson](crate::bibliography::FritschCarlson1980)) in the speed, capped at 14 m. Calm is exactly 0.
+/// ([Fritsch and Butland](crate::bibliography::FritschButland1984)) in the speed, capped at 14 m. Calm is exactly 0.
 pub fn significant_height(speed_mps: f64) -> f64 {
     if speed_mps.is_nan() || speed_mps <= 0.0 {
         return 0.0;
@@ -93,4 +93,19 @@ pub fn travel_angle(from: f64) -> f64 {
         libm::fmod(1.5 * std::f64::consts::PI - from, std::f64::consts::TAU) + std::f64::consts::TAU,
         std::f64::consts::TAU,
     )
+}
+
+/// Share of the surface under active whitecaps at a wind speed in m/s at 10 m: 3.84e-6 U^3.41
+/// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)), capped at a quarter, where the fit leaves its data.
+pub fn whitecap_fraction(speed_mps: f64) -> f64 {
+    (3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)).min(0.25)
+}
+
+/// The value, in standard deviations, that a normal variable exceeds with probability `share` (in (0, ½]), within 4.5e-4
+/// (Abramowitz and Stegun, 26.2.23).
+pub fn normal_quantile_above(share: f64) -> f64 {
+    let t = libm::sqrt(-2.0 * libm::log(share.clamp(1e-12, 0.5)));
+    let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);
+    let below = 1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308));
+    t - above / below
 }

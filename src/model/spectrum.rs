@@ -6,7 +6,7 @@
 
 use super::{GRAVITY, dispersion, optics, quadrature::simpson_log};
 
-/// Below this the spectrum is a lake of waves too long for any tile; above the next, waves shorter than 2 mm. rad/m.
+/// Integrals over all waves run from waves of 600 km to waves of 1.6 mm, rad/m; no sea has energy outside.
 const K_LONGEST: f64 = 1e-5;
 const K_SHORTEST: f64 = 4e3;
 
