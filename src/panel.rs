@@ -1,0 +1,239 @@
+//! The panel: widgets on the view state. Small enough for a window of 640 by 360.
+
+mod dial;
+mod time;
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
+
+use crate::model::sea_state;
+use crate::scene::layers::Layer;
+use crate::scene::settings::{Settings, Spectrum};
+use crate::scene::view_state::ViewState;
+use crate::scene::views::{VIEWS, View};
+
+/// Width of the panel, points.
+const WIDTH: f32 = 212.0;
+
+/// What a click in the panel asks of the program.
+#[derive(Clone, Copy, Debug)]
+pub enum Action {
+    /// A flight to a named view.
+    Fly(&'static View),
+    /// The link of the present view into the clipboard.
+    CopyLink,
+}
+
+/// What the panel shows of the program.
+pub struct Status<'a> {
+    /// Time between frames, milliseconds; 0 before the second one.
+    pub frame_ms: f64,
+    /// Name of the graphics adapter.
+    pub adapter: &'a str,
+    /// Tiles on their way.
+    pub pending: usize,
+    /// Part of the tiles that have arrived, 0 to 1.
+    pub progress: f32,
+    /// The machine's clock, UTC seconds since 1970.
+    pub now_s: f64,
+}
+
+/// The panel's own state.
+#[derive(Debug)]
+pub struct Panel {
+    shown: bool,
+    open: bool,
+    time: time::Editor,
+    copied: bool,
+    widgets: Widgets,
+}
+
+/// Where the main widgets are on the screen, points; for tests in a browser.
+#[derive(Debug, Default)]
+pub struct Widgets(BTreeMap<&'static str, Rect>);
+
+impl Widgets {
+    /// Notes where a widget is.
+    pub fn note(&mut self, name: &'static str, response: &Response) {
+        self.0.insert(name, response.rect);
+    }
+}
+
+impl Panel {
+    /// The panel, shown or hidden.
+    pub fn new(shown: bool) -> Self {
+        Self { shown, open: true, time: time::Editor::default(), copied: false, widgets: Widgets::default() }
+    }
+
+    /// Whether the panel and the texts over the picture are shown.
+    pub fn is_shown(&self) -> bool {
+        self.shown
+    }
+
+    /// The widgets' rectangles as a JSON object of `[x, y, width, height]` in CSS pixels.
+    pub fn widgets_json(&self, zoom_factor: f32) -> String {
+        let mut json = String::from("{");
+        for (name, rect) in &self.widgets.0 {
+            let comma = if json.len() > 1 { "," } else { "" };
+            let [x, y, w, h] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side * zoom_factor);
+            // Writing to a String cannot fail.
+            let _ = write!(json, "{comma}\"{name}\":[{x:.1},{y:.1},{w:.1},{h:.1}]");
+        }
+        json + "}"
+    }
+
+    /// Shows the panel and applies what the user does with it.
+    pub fn show(&mut self, context: &egui::Context, state: &mut ViewState, status: &Status<'_>) -> Option<Action> {
+        if !context.egui_wants_keyboard_input() {
+            let [hide, pause] = [Key::H, Key::Space].map(|key| context.input(|input| input.key_pressed(key)));
+            self.shown ^= hide;
+            if pause {
+                time::toggle_pause(state);
+            }
+        }
+        self.widgets.0.clear();
+        if !self.shown {
+            return None;
+        }
+        let mut action = None;
+        let height = context.content_rect().height() - 16.0;
+        egui::Area::new(egui::Id::unique("panel")).anchor(Align2::RIGHT_TOP, vec2(-6.0, 6.0)).show(context, |ui| {
+            let frame = egui::Frame::window(ui.style()).inner_margin(6).shadow(egui::Shadow::NONE);
+            frame.fill(ui.visuals().window_fill.gamma_multiply(0.9)).show(ui, |ui| {
+                ui.set_width(if self.open { WIDTH } else { 86.0 });
+                ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
+                action = self.header(ui, status);
+                if self.open {
+                    let scroll = ScrollArea::vertical().max_height(height - 40.0).auto_shrink([false, true]);
+                    scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status)));
+                }
+            });
+        });
+        action
+    }
+
+    fn header(&mut self, ui: &mut Ui, status: &Status<'_>) -> Option<Action> {
+        let mut action = None;
+        ui.horizontal(|ui| {
+            let fold = ui.button(if self.open { "⏷ Ocean" } else { "⏵ Ocean" });
+            let fold = fold.on_hover_text("Fold the panel. The key H hides it.");
+            self.widgets.note("fold", &fold);
+            self.open ^= fold.clicked();
+            if !self.open {
+                return;
+            }
+            let copy = ui.button(if self.copied { "Link copied" } else { "Copy link" });
+            let copy = copy.on_hover_text("A link that opens this view, this wind and this time");
+            self.widgets.note("copyLink", &copy);
+            if copy.clicked() {
+                self.copied = true;
+                action = Some(Action::CopyLink);
+            } else if !copy.hovered() {
+                self.copied = false;
+            }
+            let text = if status.frame_ms > 0.0 { format!("{:.0} ms", status.frame_ms) } else { String::new() };
+            ui.weak(text).on_hover_text(format!("Time from frame to frame on {}", status.adapter));
+        });
+        action
+    }
+
+    fn body(&mut self, ui: &mut Ui, state: &mut ViewState, status: &Status<'_>) -> Option<Action> {
+        if status.pending > 0 {
+            let bar = egui::ProgressBar::new(status.progress).desired_height(12.0).desired_width(WIDTH - 14.0);
+            ui.add(bar.text(format!("{} tiles to come", status.pending)));
+        }
+        self.wind(ui, &mut state.settings);
+        ui.separator();
+        let action = self.views(ui);
+        ui.separator();
+        self.time.show(ui, state, status.now_s, &mut self.widgets);
+        ui.separator();
+        egui::CollapsingHeader::new("Sea and layers").show(ui, |ui| self.sea(ui, &mut state.settings));
+        action
+    }
+
+    fn wind(&mut self, ui: &mut Ui, settings: &mut Settings) {
+        ui.horizontal(|ui| {
+            let dial = dial::show(ui, &mut settings.wind.from_deg);
+            self.widgets.note("windDial", &dial);
+            ui.vertical(|ui| {
+                let mut speed_mps = settings.wind_speed_mps();
+                ui.spacing_mut().slider_width = 72.0;
+                let slider = ui.add(Slider::new(&mut speed_mps, 0.0..=60.0).max_decimals(1).suffix(" m/s"));
+                self.widgets.note("windSpeed", &slider);
+                if slider.changed() {
+                    settings.wind.speed_mps = speed_mps;
+                    settings.beaufort = None;
+                }
+                let grade = settings.beaufort_grade();
+                let combo = ComboBox::from_id_salt("beaufort").width(132.0).selected_text(grade_name(grade));
+                let combo = combo.show_ui(ui, |ui| {
+                    for other in 0..=12 {
+                        if ui.selectable_label(other == grade, grade_name(other)).clicked() {
+                            settings.beaufort = Some(other);
+                            settings.wind.speed_mps = sea_state::speed_from_beaufort(f64::from(other));
+                        }
+                    }
+                });
+                self.widgets.note("beaufort", &combo.response);
+                ui.weak(format!("wind from {:.0}°", settings.wind.from_deg));
+            });
+        });
+    }
+
+    fn views(&mut self, ui: &mut Ui) -> Option<Action> {
+        let mut action = None;
+        ui.horizontal_wrapped(|ui| {
+            for (view, name) in VIEWS.iter().zip(VIEW_WIDGETS) {
+                let button = ui.small_button(view.title);
+                self.widgets.note(name, &button);
+                if button.clicked() {
+                    action = Some(Action::Fly(view));
+                }
+            }
+        });
+        action
+    }
+
+    fn sea(&mut self, ui: &mut Ui, settings: &mut Settings) {
+        let spectrum = ComboBox::from_label("spectrum").width(110.0);
+        let name = |wanted: Spectrum| Spectrum::ALL.iter().find(|(s, _)| *s == wanted).map_or("", |(_, name)| name);
+        spectrum.selected_text(name(settings.spectrum)).show_ui(ui, |ui| {
+            for (spectrum, name) in Spectrum::ALL {
+                let enabled = spectrum == Spectrum::Phillips;
+                ui.add_enabled_ui(enabled, |ui| {
+                    let label = ui.selectable_value(&mut settings.spectrum, spectrum, name);
+                    label.on_disabled_hover_text("Kept in the link; drawn as phillips in this version");
+                });
+            }
+        });
+        ui.spacing_mut().slider_width = 80.0;
+        let chop = ui.add(Slider::new(&mut settings.chop, 0.0..=2.0).max_decimals(2).text("chop"));
+        self.widgets.note("chop", &chop);
+        let density = Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).max_decimals(3).text("ρ, 1/m");
+        ui.add(density).on_hover_text("The water hides the ground by 1 − exp(−ρ·depth)");
+        ui.horizontal(|ui| {
+            let seed = ui.add(egui::DragValue::new(&mut settings.seed).speed(1));
+            self.widgets.note("seed", &seed);
+            ui.label("seed");
+        });
+        ui.horizontal_wrapped(|ui| {
+            for (layer, name) in Layer::ALL {
+                let mut shown = settings.layers.shows(layer);
+                let check = ui.checkbox(&mut shown, name);
+                self.widgets.note(name, &check);
+                settings.layers.set(layer, shown);
+            }
+        });
+    }
+}
+
+/// Names of the views' buttons among the widgets, in the order of [`VIEWS`].
+const VIEW_WIDGETS: [&str; VIEWS.len()] =
+    ["viewGlobe", "viewOcean", "viewIslands", "viewCoast", "viewCalm", "viewBreeze", "viewGale", "viewHurricane"];
+
+fn grade_name(grade: u8) -> String {
+    format!("{grade} {}", sea_state::name(usize::from(grade)))
+}

@@ -1,0 +1,172 @@
+//! The browser's side: starts the program on a canvas and joins it to the page's address.
+//!
+//! Nothing here calls into JavaScript that could call back while Rust holds a borrow: the page's events only raise a flag,
+//! which the next frame reads.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use egui_wgpu::{WgpuSetup, WgpuSetupExisting, wgpu};
+use wasm_bindgen::prelude::*;
+use web_sys::{HtmlCanvasElement, Window};
+
+use crate::app::page::Page;
+use crate::app::{App, Options};
+use crate::data::world::World;
+use crate::error::{Error, Result};
+use crate::gpu::{Gpu, context::device_descriptor};
+use crate::model::waves;
+use crate::renderer::Renderer;
+use crate::scene::view_state::ViewState;
+
+/// Starts the globe on a canvas, with the world's tiles below `data_base`.
+///
+/// The canvas tells how it goes: `data-state` is `loading`, `settled` or `failed`; `data-error`, `data-fragment`,
+/// `data-frame-ms` and `data-widgets` (rectangles of the panel's widgets, CSS pixels) say more. `?panel=off` in the page's
+/// address hides the panel.
+///
+/// # Errors
+/// One line of text where there is no WebGPU or the device fails; it is on the console and in `data-error` too.
+#[wasm_bindgen]
+pub async fn start(canvas: HtmlCanvasElement, data_base: String) -> std::result::Result<(), JsValue> {
+    console_error_panic_hook::set_once();
+    // A second start finds the logger in place.
+    let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
+    // A canvas whose data set cannot be written has bigger troubles.
+    let _ = canvas.set_attribute("data-state", "loading");
+    let started = run(canvas.clone(), &data_base).await;
+    started.map_err(|error| {
+        let text = error.to_string();
+        web_sys::console::error_1(&JsValue::from_str(&format!("ocean-globe: {text}")));
+        let _ = canvas.set_attribute("data-error", &text);
+        let _ = canvas.set_attribute("data-state", "failed");
+        JsValue::from_str(&text)
+    })
+}
+
+async fn run(canvas: HtmlCanvasElement, data_base: &str) -> Result<()> {
+    let (setup, gpu) = device().await?;
+    let renderer = Renderer::new(gpu.clone(), World::open(data_base)).await?;
+    let page = WebPage::new(canvas.clone())?;
+    let search = page.window.location().search().unwrap_or_default();
+    let panel = !search.trim_start_matches('?').split('&').any(|pair| pair == "panel=off");
+    let (state, errors) = ViewState::parse_fragment(&page.fragment(), None);
+    errors.iter().for_each(|error| log::warn!("link: {error}"));
+    let options = eframe::WebOptions {
+        wgpu_options: egui_wgpu::WgpuConfiguration { wgpu_setup: WgpuSetup::Existing(setup), ..Default::default() },
+        ..Default::default()
+    };
+    let create: eframe::AppCreator<'static> = Box::new(move |host| {
+        page.listen(&host.egui_ctx);
+        Ok(Box::new(App::new(host, gpu, renderer, Options { state, panel }, Box::new(page))?))
+    });
+    let failed = |error: JsValue| Error::gpu(text_of(&error), "reload the page, or try another browser");
+    eframe::WebRunner::new().start(canvas, options, create).await.map_err(failed)
+}
+
+/// A WebGPU device. It is made here and not by eframe, because the renderer's shaders are checked asynchronously.
+async fn device() -> Result<(WgpuSetupExisting, Gpu)> {
+    let remedy = "use a browser with WebGPU (Chrome or Edge 113, Safari 26, Firefox 141 or later) over https";
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::BROWSER_WEBGPU;
+    let instance = wgpu::Instance::new(descriptor);
+    let wanted =
+        wgpu::RequestAdapterOptions { power_preference: wgpu::PowerPreference::HighPerformance, ..Default::default() };
+    let adapter = instance.request_adapter(&wanted).await;
+    let adapter =
+        adapter.map_err(|error| Error::gpu(format!("this browser gives no WebGPU adapter: {error}"), remedy))?;
+    let device = adapter.request_device(&device_descriptor(&adapter)).await;
+    let (device, queue) = device.map_err(|error| Error::gpu(format!("no WebGPU device: {error}"), remedy))?;
+    let gpu = Gpu::new(&adapter, device.clone(), queue.clone());
+    Ok((WgpuSetupExisting { instance, adapter, device, queue }, gpu))
+}
+
+/// The page around the canvas.
+struct WebPage {
+    window: Window,
+    canvas: HtmlCanvasElement,
+    /// Raised when the fragment has changed by a link, back or forward.
+    changed: Rc<Cell<bool>>,
+    /// What was last published, so that the page is touched only where something is new.
+    published: HashMap<String, String>,
+}
+
+impl WebPage {
+    fn new(canvas: HtmlCanvasElement) -> Result<Self> {
+        let window = web_sys::window().ok_or_else(|| Error::gpu("there is no window", "start the globe in a page"))?;
+        Ok(Self { window, canvas, changed: Rc::default(), published: HashMap::new() })
+    }
+
+    fn fragment(&self) -> String {
+        self.window.location().hash().unwrap_or_default()
+    }
+
+    /// Watches the address. The listeners live as long as the page.
+    fn listen(&self, context: &egui::Context) {
+        for event in ["hashchange", "popstate"] {
+            let (changed, context) = (self.changed.clone(), context.clone());
+            let listener = Closure::<dyn Fn()>::new(move || {
+                changed.set(true);
+                context.request_repaint();
+            });
+            if self.window.add_event_listener_with_callback(event, listener.as_ref().unchecked_ref()).is_err() {
+                log::warn!("the page refuses to tell about {event}; back and forward do not work");
+            }
+            listener.forget();
+        }
+    }
+}
+
+impl Page for WebPage {
+    fn new_fragment(&mut self) -> Option<String> {
+        self.changed.replace(false).then(|| self.fragment())
+    }
+
+    fn set_fragment(&mut self, fragment: &str, push: bool) {
+        let url = format!("#{fragment}");
+        let set = self.window.history().and_then(|history| {
+            let none = JsValue::NULL;
+            if push {
+                history.push_state_with_url(&none, "", Some(&url))
+            } else {
+                history.replace_state_with_url(&none, "", Some(&url))
+            }
+        });
+        if let Err(error) = set {
+            log::warn!("the address cannot be set: {}", text_of(&error));
+        }
+    }
+
+    fn link(&self, fragment: &str) -> String {
+        let href = self.window.location().href().unwrap_or_default();
+        format!("{}#{fragment}", href.split('#').next().unwrap_or_default())
+    }
+
+    fn publish(&mut self, name: &str, value: &str) {
+        if self.published.get(name).is_some_and(|known| known == value) {
+            return;
+        }
+        let _ = self.canvas.set_attribute(&format!("data-{name}"), value);
+        self.published.insert(name.to_owned(), value.to_owned());
+    }
+}
+
+/// The text of whatever JavaScript threw.
+fn text_of(error: &JsValue) -> String {
+    error.as_string().unwrap_or_else(|| format!("{error:?}"))
+}
+
+/// Hash of the wave amplitudes of a sea, as 16 hexadecimal digits: the same natively and here, or the sea differs.
+#[wasm_bindgen]
+pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
+    waves_hash(seed, speed_mps)
+}
+
+/// See [`h0_hash`]. All tiles of 256 by 256 samples in a row.
+pub fn waves_hash(seed: u32, speed_mps: f64) -> String {
+    let sea = waves::Sea::from_wind(speed_mps, seed, 1.0);
+    let tiles = waves::cascades(&sea, 256);
+    let amplitudes = tiles.iter().enumerate().flat_map(|(index, tile)| waves::initial_amplitudes(&sea, index, tile));
+    format!("{:016x}", waves::hash(&amplitudes.collect::<Vec<_>>()))
+}
