@@ -24,6 +24,11 @@ fn stretched(x: f32) -> f32 {
     return sign(x) * 1.02 * pow(max(reach / 1.02, 1.0), rim);
 }
 
+// Whether the waves at a distance are smaller than a quarter of a pixel, so that the ellipsoid is the surface.
+fn waves_are_pixels(distance: Metres) -> bool {
+    return distance * frame.pixel_angle > 4.0 * frame.crest_height;
+}
+
 @vertex
 fn vertex(@location(0) grid: vec2f) -> Vertex {
     let device = vec2f(stretched(grid.x), stretched(grid.y));
@@ -33,11 +38,11 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var rest = direction * t + rise;
     if t < 0.0 {
-        // The ray misses: the point of the ellipsoid under its closest approach, or under the eye when it looks away.
+        // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is. Near,
+        // the point of the ellipsoid under it, for the waves to rise from.
         t = max(-ray.b / ray.a, 0.0);
-        let p = direction * t + rise;
-        let dn = normal_delta(p);
-        rest = p - (dn + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t);
+        rest = direction * t + rise;
+        if !waves_are_pixels(t) { rest -= (normal_delta(rest) + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t); }
     }
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     let distance = length(rest);
@@ -57,13 +62,14 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
-    let distance = length(in.moved);
+    var distance = length(in.moved);
     let direction = in.moved / max(distance, 1e-3);
     // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
     var rest = in.rest;
-    if distance * frame.pixel_angle > 0.25 * frame.crest_height {
-        let t = surface_hit(eye_ray(direction));
-        if t > 0.0 { rest = direction * t; }
+    if waves_are_pixels(distance) {
+        distance = surface_hit(eye_ray(direction));
+        if distance < 0.0 { discard; }
+        rest = direction * distance;
     }
     let dn = normal_delta(rest);
     let up = dn + vec3f(0.0, 0.0, 1.0);
@@ -87,9 +93,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let calmed = clamp(depth * 0.5 / max(frame.wave_height, 1e-3), 0.0, 1.0);
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
-    let fraction = frame.foam * min(3.84e-6 * pow(length(frame.wind), 3.41), 0.25);
-    let near_foam = frame.foam * smoothstep(0.35, -0.25, slopes.fold) * calmed;
-    let foam = mix(near_foam, fraction, smoothstep(1.5, 25.0, footprint));
+    // Crests fold where the chop's divergence, which has the variance of the resolved slopes, passes the quantile that the
+    // whitecap fraction asks for; beyond what pixels hold, the fraction itself.
+    let resolved = sqrt(max(mean_square_slope_above(0.0) - slopes.unresolved, 1e-6)) * frame.chop;
+    let threshold = 1.0 - frame.foam_quantile * resolved;
+    let near_foam = smoothstep(threshold + 0.25 * resolved, threshold - 0.35 * resolved, slopes.fold);
+    let foam = frame.foam * calmed * mix(near_foam, frame.whitecaps, smoothstep(1.5, 25.0, footprint));
     let water = water_radiance(WaterPoint(-direction, up, normal, max(slopes.unresolved, 1e-5), alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
     let air = scatter_to(direction, distance, 10u);

@@ -67,3 +67,7 @@ pub enum BoxMuller1958 {}
 /// Cooley, J. W. and Tukey, J. W. (1965), *An algorithm for the machine calculation of complex Fourier series*, Math. Comp.
 /// 19, 297–301. <https://doi.org/10.1090/S0025-5718-1965-0178586-1>
 pub enum CooleyTukey1965 {}
+
+/// Monahan, E. C. and O'Muircheartaigh, I. (1980), *Optimal power-law description of oceanic whitecap coverage dependence on
+/// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010<2094:OPLDOO>2.0.CO;2>
+pub enum Monahan1980 {}

@@ -12,6 +12,7 @@
 //! | 5 | [`renderer`] | owns the passes; one frame, readable top to bottom |
 //! | 6 | `app`, `panel`, `web`, `cli` | the window, the page, the command line |
 
+pub mod app;
 pub mod bibliography;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -19,8 +20,11 @@ pub mod data;
 pub mod error;
 pub mod gpu;
 pub mod model;
+pub mod panel;
 pub mod pass;
 pub mod renderer;
 pub mod scene;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 
 pub use error::{Error, Result};

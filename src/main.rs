@@ -2,12 +2,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
-    use clap::Parser;
-    #[derive(Parser)]
-    #[command(version, about)]
-    enum T { Render(ocean_globe::cli::render::RenderArgs) }
-    match T::parse() { T::Render(a) => if let Err(e) = ocean_globe::cli::render::run(&a) { eprintln!("error: {e}"); return std::process::ExitCode::FAILURE } }
-    std::process::ExitCode::SUCCESS
+    ocean_globe::cli::main()
 }
 
 #[cfg(target_arch = "wasm32")]

@@ -33,7 +33,7 @@ struct Frame {
     north_delta: vec3f,        // normal at the eye's foot minus normal at the reference point, earth axes turned to the eye's meridian
     mercator_sin_delta: f32,   // sin_lat - mercator_sin
     south_delta: vec3f,
-    unused_a: f32,
+    whitecaps: f32,            // share of the surface under whitecaps
     mercator_fixed: vec2u,
     north_fixed: vec2u,
     south_fixed: vec2u,
@@ -58,7 +58,7 @@ struct Frame {
     terrain_resolution: Metres,
     perlin_deviation: Metres,  // standard deviation of the Perlin height
     crest_height: Metres,      // the highest crest to expect
-    unused_b: f32,
+    foam_quantile: f32,        // standard deviations that this share of a normal variable exceeds
     // Mean-square slope above the wavenumber 2^(i/2 - 8) rad/m, i = 0…31.
     slope_variance: array<vec4f, 8>,
 }

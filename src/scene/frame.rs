@@ -84,7 +84,7 @@ pub struct FrameUniform {
     pub north_delta: Vec3,
     pub mercator_sin_delta: f32,
     pub south_delta: Vec3,
-    pub unused_a: f32,
+    pub whitecaps: f32,
     pub mercator_fixed: [u32; 2],
     pub north_fixed: [u32; 2],
     pub south_fixed: [u32; 2],
@@ -109,7 +109,7 @@ pub struct FrameUniform {
     pub terrain_resolution: f32,
     pub perlin_deviation: f32,
     pub crest_height: f32,
-    pub unused_b: f32,
+    pub foam_quantile: f32,
     pub slope_variance: [Vec4; 8],
 }
 
@@ -264,6 +264,9 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
     u.foam = settings.foam.amount as f32;
+    let whitecaps = sea_state::whitecap_fraction(speed);
+    u.whitecaps = whitecaps as f32;
+    u.foam_quantile = sea_state::normal_quantile_above(whitecaps) as f32;
     u.perlin_patch = perlin_patch_m(sea) as f32;
     u.perlin_deviation = (sea.sea.hs_m / 4.0) as f32;
     let patch = |i: usize| sea.cascades.get(i).map_or(1.0, |c| c.patch_m as f32);
