@@ -1,0 +1,192 @@
+//! `ocean-globe bake`: an elevation grid and a land mask become the bundled world, six PMTiles archives.
+//!
+//! The mask decides what is sea ([`mask`], [`water`]); elevation follows it ([`elevation`], [`terrain`]). The same input
+//! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
+//! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
+
+mod distance;
+mod elevation;
+mod grid;
+mod mask;
+mod parallel;
+mod terrain;
+mod water;
+mod water_tile;
+
+use crate::data::netcdf::{NetCdf, Variable};
+use crate::data::pmtiles::write::ArchiveWriter;
+use crate::data::tile::{Layer, Projection};
+use crate::data::world::archive_name;
+use crate::error::{Error, Result};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+
+/// Metres of one degree of the equator.
+const METRES_PER_DEG: f64 = 111_319.49;
+
+/// Make the bundled world from an elevation grid and a land mask.
+#[derive(Debug, Clone, clap::Args)]
+#[command(after_help = "Examples:
+  ocean-globe bake --elevation etopo5.cdf --mask south.nc --mask north.nc -o www/data
+  scripts/make-world.sh                  makes the masks from GSHHG first, then bakes
+
+The mask: bytes 0 ocean, 1 land, 2 lake, 3 island in a lake, 4 pond on such an island, as written by
+  gmt grdlandmask -R-180/180/-90/90 -I0.1 -r -Df -N0/1/2/3/4 -Gmask.nc=nb --IO_NC4_CHUNK_SIZE=classic
+Memory: about 500 MB for a mask of 0.005 degrees.")]
+pub struct BakeArgs {
+    /// Elevation in metres, netCDF-3, global, nodes from pole to pole (ETOPO5)
+    #[arg(long, value_name = "FILE")]
+    pub elevation: PathBuf,
+    /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
+    #[arg(long = "mask", value_name = "FILE", required = true)]
+    pub masks: Vec<PathBuf>,
+    /// Folder for the six archives; archives that are there are replaced
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Deepest level of the water tiles
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u8).range(0..=12))]
+    pub water_zoom: u8,
+    /// Deepest level of the terrain tiles
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u8).range(0..=10))]
+    pub terrain_zoom: u8,
+    /// Down to this level all terrain tiles are made; deeper ones only along the ocean's shores
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=10))]
+    pub terrain_full_zoom: u8,
+    /// Deepest level of the polar archives
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=6))]
+    pub polar_zoom: u8,
+    /// From this level on, a deeper water tile is made only where it puts enough ground right
+    #[arg(long, default_value_t = 5)]
+    pub sparse_zoom: u8,
+    /// The ground, km², that a deeper water tile must put right: one value per level from --sparse-zoom on
+    #[arg(long, value_delimiter = ',', default_value = "3,1.5")]
+    pub worth_km2: Vec<f64>,
+    /// Credit for the elevation, shown on screen
+    #[arg(long, default_value = "")]
+    pub elevation_credit: String,
+    /// Credit for the mask, shown on screen
+    #[arg(long, default_value = "")]
+    pub mask_credit: String,
+}
+
+/// Bakes the six archives.
+///
+/// # Errors
+/// Unreadable or unsuitable input, an output folder that cannot be written to.
+pub fn bake(args: &BakeArgs) -> Result<()> {
+    let output = &args.output;
+    std::fs::create_dir_all(output)
+        .map_err(|e| Error::io(output.display().to_string(), e, "choose a folder that can be made"))?;
+    let mut mask = mask::Mask::open(&args.masks)?;
+    let bar = bar("reducing the mask", mask.height());
+    let reduced = mask.reduced(|row| bar.set_position(row as u64))?;
+    bar.finish_and_clear();
+    let elevation = elevation::Elevation::open(&args.elevation, &reduced)?;
+    let resolution_m = |step_deg: f64| (step_deg * METRES_PER_DEG).round();
+    for projection in Projection::ALL {
+        let polar = projection != Projection::Mercator;
+        let depth = terrain::Depth {
+            max_zoom: if polar { args.polar_zoom } else { args.terrain_zoom },
+            full_zoom: if polar { args.polar_zoom } else { args.terrain_full_zoom },
+        };
+        let about = About {
+            layer: Layer::Terrain,
+            projection,
+            encoding: "terrarium",
+            credit: &args.elevation_credit,
+            resolution_m: resolution_m(elevation.step_deg),
+        };
+        archive(output, &about, |writer, progress| {
+            terrain::add_tiles(writer, projection, &elevation, &reduced, &depth, progress)
+        })?;
+        let detail = water::Detail {
+            max_zoom: args.water_zoom,
+            polar_zoom: args.polar_zoom,
+            sparse_zoom: args.sparse_zoom,
+            worth_km2: args.worth_km2.clone(),
+        };
+        let resolution_m = resolution_m(mask.step_deg);
+        let credit = &args.mask_credit;
+        let about = About { layer: Layer::Water, projection, encoding: "ocean-globe-water", credit, resolution_m };
+        archive(output, &about, |writer, progress| {
+            water::add_tiles(writer, projection, &mut mask, &reduced, &detail, progress)
+        })?;
+    }
+    Ok(())
+}
+
+/// What an archive says about itself.
+struct About<'a> {
+    layer: Layer,
+    projection: Projection,
+    encoding: &'a str,
+    credit: &'a str,
+    resolution_m: f64,
+}
+
+type Progress<'a> = &'a mut dyn FnMut(u8, usize, usize);
+
+fn archive(
+    output: &Path,
+    about: &About<'_>,
+    make: impl FnOnce(&mut ArchiveWriter, Progress<'_>) -> Result<()>,
+) -> Result<()> {
+    let name = archive_name(about.layer, about.projection);
+    let mut writer = ArchiveWriter::create(&output.join(&name))?;
+    let bar = bar(&name, 0);
+    make(&mut writer, &mut |level, done, all| {
+        bar.set_message(format!("{name} level {level}"));
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    })?;
+    let size = writer.finish(&serde_json::json!({
+        "name": format!("ocean-globe {} ({})", about.layer.name(), about.projection.name()),
+        "attribution": about.credit,
+        "encoding": about.encoding,
+        "projection": about.projection.name(),
+        "resolution_m": about.resolution_m,
+        "type": "baselayer",
+        "format": "png",
+    }))?;
+    bar.finish_and_clear();
+    println!("{name}: {:.2} MB", size as f64 / 1e6);
+    Ok(())
+}
+
+fn bar(what: &str, length: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:32} {wide_bar} {pos}/{len} {elapsed}");
+    ProgressBar::new(length as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_message(what.to_owned())
+}
+
+/// Evenly spaced coordinates, degrees.
+struct Axis {
+    first: f64,
+    step: f64,
+    count: u64,
+}
+
+/// The latitudes and longitudes of a two-dimensional variable; longitudes must grow.
+fn axes(file: &mut NetCdf, variable: &Variable) -> Result<(Axis, Axis)> {
+    let mut axis = |place: usize| {
+        let name = file.dimensions()[variable.dimensions[place]].name.clone();
+        let coordinates = file.variable(&name)?.clone();
+        let count = file.shape(&coordinates).first().copied().unwrap_or(0);
+        let values = file.read_row(&coordinates, &[0], count)?;
+        let bad = || Error::bad_data(file.name(), format!("has no even coordinates `{name}`"), "resample it");
+        let (Some(first), Some(last), true) = (values.first(), values.last(), count >= 2) else { return Err(bad()) };
+        let step = (last - first) / (count - 1) as f64;
+        let even = values.iter().enumerate().all(|(i, v)| (first + i as f64 * step - v).abs() < 0.05 * step.abs());
+        if step.is_finite() && step != 0.0 && even { Ok(Axis { first: *first, step, count }) } else { Err(bad()) }
+    };
+    let (lat, lon) = (axis(0)?, axis(1)?);
+    if lon.step < 0.0 || !(lat.first.abs() <= 90.0 + 1e-6) {
+        return Err(Error::bad_data(
+            file.name(),
+            "is not ordered by latitude, then by growing longitude",
+            "reorder it",
+        ));
+    }
+    Ok((lat, lon))
+}

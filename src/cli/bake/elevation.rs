@@ -1,0 +1,207 @@
+//! The elevation grid, reconciled with the land mask, as two smooth fields: the ground and the sea bed.
+//!
+//! A cell of a coarse grid mixes land and sea. So each field keeps the nodes that the mask gives to it and is continued
+//! a few nodes beyond its coast from its own neighbours; a place is then looked up in the field of its own class. Ground
+//! below sea level far from the ocean stays as it is.
+
+use super::mask::{MIXED, Raster};
+use crate::data::netcdf::NetCdf;
+use crate::data::water::WaterClass;
+use crate::error::{Error, Result};
+use std::path::Path;
+
+/// The lowest dry land at an ocean's shore, metres: Dutch polders, Zuidplaspolder -6.8 m.
+const LOWEST_COAST_M: f32 = -7.0;
+/// Land this near to the ocean lies no lower than [`LOWEST_COAST_M`], kilometres.
+const COAST_KM: f64 = 20.0;
+/// South of this latitude land is ice, degrees.
+const ANTARCTIC_DEG: f64 = -60.0;
+/// The surface of floating ice shelves, metres: a tenth of some 300 m of ice.
+const ICE_SHELF_M: f32 = 30.0;
+/// A node that differs by more than this from the mean of rows that agree within [`AGREEING_M`] is misplaced, metres.
+const MISPLACED_M: f32 = 250.0;
+/// See [`MISPLACED_M`].
+const AGREEING_M: f32 = 200.0;
+/// Nodes that a field is continued beyond its coast; the interpolation reaches over two.
+const CONTINUED: usize = 4;
+/// Kilometres of one degree along a meridian or the equator, about.
+const KM_PER_DEG: f64 = 111.3;
+/// The largest grid accepted, nodes (1 GiB of metres).
+const MAX_NODES: u64 = 1 << 28;
+
+/// Ground and sea bed, metres, at nodes of latitude (south to north, pole to pole) and longitude.
+pub struct Elevation {
+    ground: Vec<f32>,
+    bed: Vec<f32>,
+    width: usize,
+    height: usize,
+    west_deg: f64,
+    /// Distance between nodes, degrees.
+    pub step_deg: f64,
+}
+
+impl Elevation {
+    /// Reads the grid and separates it.
+    pub fn open(path: &Path, mask: &Raster) -> Result<Self> {
+        let mut elevation = Self::read(path)?;
+        elevation.repair_antarctica(mask);
+        elevation.separate(mask);
+        Ok(elevation)
+    }
+
+    fn read(path: &Path) -> Result<Self> {
+        let mut file = NetCdf::open(path)?;
+        let name = file.name().to_owned();
+        let bad = |why: String| {
+            Error::bad_data(&name, why, "give a global grid of metres, latitude by longitude, from pole to pole")
+        };
+        let variable = (file.variables().iter().find(|v| v.dimensions.len() == 2).cloned())
+            .ok_or_else(|| bad("has no variable of latitude and longitude".into()))?;
+        let (lat, lon) = super::axes(&mut file, &variable)?;
+        let step_deg = lat.step.abs();
+        let around = (360.0 / lon.step).round();
+        let poles = [lat.first, lat.first + lat.step * (lat.count - 1) as f64];
+        if (lon.step - step_deg).abs() > 1e-4 * step_deg || lon.count < around as u64 {
+            return Err(bad(format!("does not go around the world in square cells: {} columns", lon.count)));
+        }
+        if poles.iter().any(|pole| (pole.abs() - 90.0).abs() > 1e-3) {
+            return Err(bad(format!("has latitudes {} to {}", poles[0], poles[1])));
+        }
+        if lat.count < 8 || lat.count * lon.count > MAX_NODES {
+            return Err(bad(format!("has {} x {} nodes", lon.count, lat.count)));
+        }
+        let (width, height) = (around as usize, lat.count as usize);
+        let mut ground = vec![0.0; width * height];
+        for row in 0..height {
+            let values = file.read_row(&variable, &[row as u64, 0], width as u64)?;
+            if let Some(column) = values.iter().position(|v| !(v.abs() < 12_000.0)) {
+                return Err(bad(format!("has the elevation {} at row {row}, column {column}", values[column])));
+            }
+            let to = if lat.step > 0.0 { row } else { height - 1 - row };
+            ground[to * width..][..width].iter_mut().zip(values).for_each(|(node, value)| *node = value as f32);
+        }
+        Ok(Self { ground, bed: Vec::new(), width, height, west_deg: lon.first, step_deg })
+    }
+
+    /// What is known to be wrong in ETOPO5 south of 60 degrees: two rows near 81.2° S whose values belong elsewhere (a
+    /// node far from what the rows around agree on is replaced by their mean), and ice shelves at or below sea level.
+    fn repair_antarctica(&mut self, mask: &Raster) {
+        let south = ((ANTARCTIC_DEG + 90.0) / self.step_deg) as usize;
+        let original = self.ground[..(south + 3).min(self.height) * self.width].to_vec();
+        for at in 0..south.min(self.height) * self.width {
+            let (row, column) = (at / self.width, at % self.width);
+            if row >= 2 && (row + 3) * self.width <= original.len() {
+                let (a, b) = (original[at - 2 * self.width], original[at + 2 * self.width]);
+                let mean = (a + b) / 2.0;
+                if (a - b).abs() < AGREEING_M && (original[at] - mean).abs() > MISPLACED_M {
+                    self.ground[at] = mean;
+                }
+            }
+            let lat_deg = -90.0 + row as f64 * self.step_deg;
+            let lon_deg = self.west_deg + column as f64 * self.step_deg;
+            if mask.class(lat_deg, lon_deg) != WaterClass::Ocean as u8 {
+                self.ground[at] = self.ground[at].max(ICE_SHELF_M);
+            }
+        }
+    }
+
+    /// Splits the grid into ground and bed by the mask.
+    fn separate(&mut self, mask: &Raster) {
+        let mut is_ground = vec![false; self.ground.len()];
+        let mut is_bed = vec![false; self.ground.len()];
+        for row in 0..self.height {
+            let lat_deg = -90.0 + row as f64 * self.step_deg;
+            for column in 0..self.width {
+                let lon_deg = self.west_deg + column as f64 * self.step_deg;
+                let at = row * self.width + column;
+                let metres = self.ground[at];
+                let ocean = mask.class(lat_deg, lon_deg) == WaterClass::Ocean as u8;
+                let misplaced = !ocean && metres < LOWEST_COAST_M && ocean_near(mask, lat_deg, lon_deg);
+                is_bed[at] = misplaced || (ocean && metres < 0.0);
+                is_ground[at] = !is_bed[at] && (!ocean || metres > 0.0);
+            }
+        }
+        self.bed = self.ground.clone();
+        self.continue_field(is_ground, false);
+        self.continue_field(is_bed, true);
+    }
+
+    /// Gives the nodes next to known ones the mean of these, a few times over; what is left becomes 1 m high or deep.
+    fn continue_field(&mut self, mut known: Vec<bool>, bed: bool) {
+        let (width, height) = (self.width, self.height);
+        let field = if bed { &mut self.bed } else { &mut self.ground };
+        for _ in 0..CONTINUED {
+            let mut new = Vec::new();
+            for at in (0..field.len()).filter(|at| !known[*at]) {
+                let (row, column) = (at / width, at % width);
+                let (mut sum, mut count) = (0.0, 0.0);
+                for r in row.saturating_sub(1)..=(row + 1).min(height - 1) {
+                    for c in [column + width - 1, column, column + 1] {
+                        let other = r * width + c % width;
+                        if known[other] {
+                            sum += field[other];
+                            count += 1.0;
+                        }
+                    }
+                }
+                if count > 0.0 {
+                    new.push((at, sum / count));
+                }
+            }
+            for (at, metres) in new {
+                field[at] = if bed { metres } else { metres.max(LOWEST_COAST_M) };
+                known[at] = true;
+            }
+        }
+        let rest = if bed { -1.0 } else { 1.0 };
+        field.iter_mut().zip(known).filter(|(_, known)| !known).for_each(|(node, _)| *node = rest);
+    }
+
+    /// Elevation of the ground, or of the sea bed (always below 0), metres: Catmull-Rom between the nodes, across the
+    /// date line and the poles.
+    pub fn at(&self, lat_deg: f64, lon_deg: f64, bed: bool) -> f32 {
+        let field = if bed { &self.bed } else { &self.ground };
+        let (y, x) = ((lat_deg + 90.0) / self.step_deg, (lon_deg - self.west_deg) / self.step_deg);
+        let (row, column) = (y.floor(), x.floor());
+        let (rows, columns) = (weights((y - row) as f32), weights((x - column) as f32));
+        let mut sum = 0.0;
+        for (j, weight) in rows.into_iter().enumerate() {
+            // Beyond a pole lies the opposite meridian.
+            let last = self.height as i64 - 1;
+            let over = row as i64 + j as i64 - 1;
+            let (r, turn) = match over {
+                south if south < 0 => (-south, self.width / 2),
+                north if north > last => (2 * last - north, self.width / 2),
+                inside => (inside, 0),
+            };
+            let from = r.clamp(0, last) as usize * self.width;
+            for (i, across) in columns.into_iter().enumerate() {
+                let c = (column as i64 + i as i64 - 1 + turn as i64).rem_euclid(self.width as i64);
+                sum += weight * across * field[from + c as usize];
+            }
+        }
+        if bed { sum.min(-0.5) } else { sum }
+    }
+}
+
+/// Catmull-Rom weights of four nodes, at `t` between the second and the third.
+fn weights(t: f32) -> [f32; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [0.5 * (2.0 * t2 - t - t3), 0.5 * (2.0 - 5.0 * t2 + 3.0 * t3), 0.5 * (t + 4.0 * t2 - 3.0 * t3), 0.5 * (t3 - t2)]
+}
+
+fn ocean_near(mask: &Raster, lat_deg: f64, lon_deg: f64) -> bool {
+    let reach = COAST_KM / KM_PER_DEG;
+    let wide = (reach / lat_deg.to_radians().cos().max(0.02)).min(90.0);
+    let step = mask.step_deg();
+    let columns = (wide / step).ceil() as usize;
+    let first = mask.column(lon_deg - columns as f64 * step);
+    (mask.row(lat_deg - reach)..=mask.row(lat_deg + reach)).any(|row| {
+        let up = (mask.centre_deg(row, 0).0 - lat_deg) / reach;
+        (0..=2 * columns).any(|i| {
+            let across = (i as f64 - columns as f64) * step / wide;
+            let cell = mask.cells[row * mask.width + (first + i) % mask.width];
+            up * up + across * across <= 1.0 && cell & !MIXED == WaterClass::Ocean as u8
+        })
+    })
+}

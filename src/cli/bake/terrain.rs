@@ -1,0 +1,115 @@
+//! The terrain pyramids: elevation tiles from the two fields of [`Elevation`].
+
+use super::elevation::Elevation;
+use super::mask::Raster;
+use super::parallel::map_in_order;
+use crate::data::pmtiles::write::ArchiveWriter;
+use crate::data::terrarium;
+use crate::data::tile::{Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
+use crate::data::water::WaterClass;
+use crate::error::Result;
+
+/// Tiles baked at a time, 64 KiB each before they are written.
+const BATCH: usize = 64;
+/// Samples along one side of a texel at most.
+const MAX_SAMPLES: usize = 16;
+/// Texels of one row with one neighbour on each side.
+const PADDED: usize = TILE_TEXELS + 2;
+
+/// How deep, and where.
+pub struct Depth {
+    /// The deepest level.
+    pub max_zoom: u8,
+    /// Down to this level every tile is there; below only those with an ocean's shore in them.
+    pub full_zoom: u8,
+}
+
+/// Makes one terrain archive's tiles.
+pub fn add_tiles(
+    writer: &mut ArchiveWriter,
+    projection: Projection,
+    elevation: &Elevation,
+    mask: &Raster,
+    depth: &Depth,
+    mut progress: impl FnMut(u8, usize, usize),
+) -> Result<()> {
+    let mut level = vec![TileId::root(projection)];
+    for z in 0..=depth.max_zoom {
+        let mut next = Vec::new();
+        for (batch, tiles) in level.chunks(BATCH).enumerate() {
+            let made = map_in_order(tiles, |tile| terrain_tile(*tile, elevation, mask, z <= depth.full_zoom));
+            for (tile, bytes) in tiles.iter().zip(made) {
+                if let Some(bytes) = bytes? {
+                    writer.add(z, tile.x, tile.y, &bytes)?;
+                    next.extend(tile.children().into_iter().flatten());
+                }
+            }
+            progress(z, (batch * BATCH + tiles.len()).min(level.len()), level.len());
+        }
+        level = next;
+    }
+    Ok(())
+}
+
+/// The PNG of a tile; `None` where it has no shore and none is wanted then.
+fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, always: bool) -> Result<Option<Vec<u8>>> {
+    // Texel centres with one neighbour on each side; degrees and whether the ocean is there.
+    let places: Vec<_> = (0..PADDED * PADDED)
+        .map(|at| place(tile, (at % PADDED) as f64 - 1.0, (at / PADDED) as f64 - 1.0, mask))
+        .collect();
+    if !always && places.iter().all(|place| place.2 == places[0].2) {
+        return Ok(None);
+    }
+    let mut metres = Vec::with_capacity(TILE_TEXELS * TILE_TEXELS);
+    for row in 0..TILE_TEXELS {
+        for column in 0..TILE_TEXELS {
+            let at = (row + 1) * PADDED + column + 1;
+            let (lat_deg, lon_deg, ocean) = places[at];
+            let texel_m = texel_size_m(tile.projection, tile.z, lat_deg.to_radians());
+            let samples = ((texel_m / (elevation.step_deg * 111_300.0)).round() as usize).clamp(1, MAX_SAMPLES);
+            let mut mean = 0.0;
+            for i in 0..samples * samples {
+                let offset = |i: usize| (i as f64 + 0.5) / samples as f64 - 0.5;
+                let (lat_deg, lon_deg, ocean) = match samples {
+                    1 => (lat_deg, lon_deg, ocean),
+                    _ => place(tile, column as f64 + offset(i % samples), row as f64 + offset(i / samples), mask),
+                };
+                mean += elevation.at(lat_deg, lon_deg, ocean);
+            }
+            mean /= (samples * samples) as f32;
+            // Interpolation between an ocean texel and the land beside it must not draw the land below the sea: next to
+            // land the bed is kept shallow; from there on the shore's distance shapes it (`model::sea_bed`).
+            let beside_land = || {
+                let rows = [at - PADDED, at, at + PADDED];
+                rows.iter().any(|at| places[at - 1..=at + 1].iter().any(|place| !place.2))
+            };
+            if ocean && beside_land() {
+                mean = mean.max(-7.0 - 0.01 * texel_m as f32);
+            }
+            metres.push(coarser_far_from_sea_level(mean));
+        }
+    }
+    terrarium::encode(&metres).map(Some)
+}
+
+/// (latitude, longitude, is ocean) at a place in texels from the centre of the tile's first texel; degrees.
+fn place(tile: TileId, column: f64, row: f64, mask: &Raster) -> (f64, f64, bool) {
+    let (x, y) = tile.texel_centre(column, row);
+    let y = if tile.projection == Projection::Mercator { y.clamp(0.0, 1.0) } else { y };
+    let (lat, lon) = lat_lon_from_map(tile.projection, x, y);
+    let (lat_deg, lon_deg) = (lat.to_degrees(), lon.to_degrees());
+    (lat_deg, lon_deg, mask.class(lat_deg, lon_deg) == WaterClass::Ocean as u8)
+}
+
+/// Metres in steps of at most 1/16 of the height: half a metre within 2 m of sea level, 1 m to 32 m, then doubling up
+/// to 32 m, so that the archive stays small. Keeps the sign.
+fn coarser_far_from_sea_level(metres: f32) -> f32 {
+    let step = match metres.abs() {
+        shore if shore < 2.0 => 0.5,
+        height => [32.0, 64.0, 128.0, 256.0, 512.0]
+            .iter()
+            .fold(1.0, |step, limit| if height < *limit { step } else { 2.0 * step }),
+    };
+    let rounded = (metres / step).round() * step;
+    if rounded == 0.0 { 0.25f32.copysign(metres) } else { rounded }
+}
