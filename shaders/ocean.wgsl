@@ -60,16 +60,30 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), rest, local, moved.z);
 }
 
+// Bubbles and gaps in a whitecap: fine wave slopes of the shortest tile, as a pattern that moves with the water.
+fn foam_texture(rest: vec3f, footprint: Metres) -> f32 {
+    let c = frame.cascade_count - 1u;
+    let local = vec2f(dot(rest, nodes[0].axis_x), dot(rest, nodes[0].axis_y)) + tile_start(0u, c);
+    let length = frame.patches[c];
+    let lod = mip_for(footprint, length, f32(textureDimensions(gradients).x));
+    let fine = textureSampleLevel(gradients, repeated, local * 0.73 / length, c, lod).zw
+        + textureSampleLevel(gradients, repeated, local.yx * 1.9 / length, c, lod + 1.0).wz;
+    let spread = sqrt(max(mean_square_slope_above(6.2831853 / length), 1e-4));
+    return 0.72 + 0.28 * clamp((fine.x + fine.y) / spread, -2.0, 1.0);
+}
+
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     var distance = length(in.moved);
     let direction = in.moved / max(distance, 1e-3);
     // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
     var rest = in.rest;
+    var moved = in.moved;
     if waves_are_pixels(distance) {
         distance = surface_hit(eye_ray(direction));
         if distance < 0.0 { discard; }
         rest = direction * distance;
+        moved = rest;
     }
     let dn = normal_delta(rest);
     let up = dn + vec3f(0.0, 0.0, 1.0);
@@ -83,9 +97,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Land in front of the water hides it; the bed just under it does not.
     let pixel = vec2u(in.position.xy);
     let land_depth = textureLoad(scene_depth, pixel, 0);
-    let tolerance = 0.004 + 2.0 / NEAR * in.position.z;      // 0.4 % of the distance, and 2 m: depth = NEAR / z
+    let axis_distance = dot(moved, frame.ray_forward);
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
-    if land_depth > in.position.z * (1.0 + tolerance) && land_depth > 0.0 { discard; }
+    // 0.4 % of the distance and 2 m cover the chords of the land's triangles; depth = NEAR / distance.
+    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR { discard; }
 
     let depth = -ground.elevation;
     let alpha = water_alpha(depth);
@@ -97,7 +112,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // whitecap fraction asks for; beyond what pixels hold, the fraction itself.
     let resolved = sqrt(max(mean_square_slope_above(0.0) - slopes.unresolved, 1e-6)) * frame.chop;
     let threshold = 1.0 - frame.foam_quantile * resolved;
-    let near_foam = smoothstep(threshold + 0.25 * resolved, threshold - 0.35 * resolved, slopes.fold);
+    let folded = smoothstep(threshold + 0.35 * resolved, threshold - 0.7 * resolved, slopes.fold);
+    let near_foam = folded * foam_texture(rest, footprint);
     let foam = frame.foam * calmed * mix(near_foam, frame.whitecaps, smoothstep(1.5, 25.0, footprint));
     let water = water_radiance(WaterPoint(-direction, up, normal, max(slopes.unresolved, 1e-5), alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));

@@ -77,7 +77,7 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
         let density_o = max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
         let extinction = RAYLEIGH * density_r + vec3f(MIE_EXTINCTION * density_m) + OZONE * density_o;
         // Second order: light that the whole sky and the sea send back, roughly isotropic.
-        let ambient = 0.03 * smoothstep(-0.15, 0.4, mu_sun) * vec3f(0.75, 0.9, 1.1);
+        let ambient = 0.05 * smoothstep(-0.15, 0.4, mu_sun) * vec3f(0.75, 0.9, 1.1);
         let lit = sunlight(h, mu_sun);
         let source = RAYLEIGH * density_r * (pr * lit + ambient) + MIE * density_m * (pm * lit + ambient);
         let step_optical = extinction * dt;
