@@ -61,6 +61,10 @@ fn wavenumber(i: u32, patch_length: f32) -> f32 {
     return f32(select(i32(i), i32(i) - i32(N), i >= N / 2u)) * (TURN / patch_length);
 }
 
+// Height and dDx/dy ride together; this length brings the gradient to the height's size, so that neither is lost in the
+// other's rounding. It stands for 1 / k of the tile's longer waves.
+fn gradient_scale(patch_length: f32) -> f32 { return patch_length / (8.0 * TURN); }
+
 // The four packed fields of wave (i, j): (Dx, Dy), (h, dDx/dy), (dh/dx, dh/dy), (dDx/dx, dDy/dy).
 struct Packed { ab: vec4f, cd: vec4f }
 
@@ -77,7 +81,7 @@ fn evolved(i: u32, j: u32, cascade: u32) -> Packed {
     let ky = wavenumber(j, patch_length);
     let k = max(length(vec2f(kx, ky)), 1e-9);
     return Packed(
-        vec4f(times(vec2f(-ky, kx) / k, h), times(vec2f(1.0, -kx * ky / k), h)),
+        vec4f(times(vec2f(-ky, kx) / k, h), times(vec2f(1.0, -kx * ky / k * gradient_scale(patch_length)), h)),
         vec4f(times(vec2f(-ky, kx), h), times(vec2f(-kx * kx, -ky * ky) / k, h)));
 }
 
@@ -164,9 +168,10 @@ fn columns(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) 
     }
     workgroupBarrier();
     transform(thread);
+    let unscaled = vec4f(1.0, 1.0, 1.0, 1.0 / gradient_scale(evolution.patches[group.y]));
     for (var j = thread; j < N; j += THREADS) {
         let at = vec2u(group.x, j);
-        textureStore(displacements, at, group.y, shared_ab[j]);
+        textureStore(displacements, at, group.y, shared_ab[j] * unscaled);
         textureStore(gradients, at, group.y, shared_cd[j]);
     }
 }

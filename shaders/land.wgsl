@@ -13,8 +13,8 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
 }
 
-const GRID = 64.0;
-const SKIRT = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
+const GRID: f32 = 64.0;
+const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
 fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {

@@ -4,8 +4,8 @@
 const MERCATOR = 0u;
 const NORTH = 1u;
 const SOUTH = 2u;
-const POLAR_EXTENT = 0.13165249758739585;   // tan(7.5 deg): the polar squares reach to 75 deg of latitude
-const POLAR_SIN_LAT = 0.9945218953682733;   // sin(84 deg): beyond it the polar squares serve
+const POLAR_EXTENT: f32 = 0.13165249758739585;   // tan(7.5 deg): the polar squares reach to 75 deg of latitude
+const POLAR_SIN_LAT: f32 = 0.9945218953682733;   // sin(84 deg): beyond it the polar squares serve
 const TURN = 6.283185307179586;
 
 struct MapPoint { square: u32, at: vec2u }

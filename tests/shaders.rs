@@ -1,0 +1,131 @@
+//! Every shader is valid WGSL for naga within the default limits, and what Rust and WGSL share is equal on both sides.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use ocean_globe::gpu::{mips, shader};
+use ocean_globe::pass::fft::Precision;
+use ocean_globe::pass::{fft, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
+use ocean_globe::scene::{frame, wave_domain};
+
+/// Every composed shader with the file that it comes from.
+fn all() -> Vec<(&'static str, String)> {
+    vec![
+        ("fft.wgsl", fft::source(256, Precision::Half)),
+        ("fft.wgsl", fft::source(16, Precision::Single)),
+        ("fft.wgsl", fft::source(128, Precision::Half)),
+        ("land.wgsl", land::source()),
+        ("mips.wgsl", mips::source("rgba16float")),
+        ("ocean.wgsl", ocean::source()),
+        ("perlin.wgsl", perlin::source()),
+        ("sky.wgsl", sky::source()),
+        ("sky_table.wgsl", sky_table::source()),
+        ("tonemap.wgsl", tonemap::source()),
+    ]
+}
+
+fn parsed(name: &str, source: &str) -> naga::Module {
+    naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)))
+}
+
+fn files(folder: &str) -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let names = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.ends_with(".wgsl")).collect()
+}
+
+#[test]
+fn every_shader_is_valid_within_the_default_limits() {
+    let all = all();
+    for (name, source) in &all {
+        let module = parsed(name, source);
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        validator.validate(&module).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)));
+        assert!(!module.entry_points.is_empty(), "{name} has no entry point");
+        let mut layouter = naga::proc::Layouter::default();
+        layouter.update(module.to_ctx()).unwrap();
+        let shared = module.global_variables.iter().filter(|(_, v)| v.space == naga::AddressSpace::WorkGroup);
+        let bytes: u32 = shared.map(|(_, v)| layouter[v.ty].size).sum();
+        assert!(bytes <= 16_384, "{name}: {bytes} bytes of workgroup memory");
+        for entry in &module.entry_points {
+            assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{name}: {}", entry.name);
+        }
+    }
+    let covered: BTreeSet<String> = all.iter().map(|(name, _)| (*name).to_string()).collect();
+    assert_eq!(covered, files("shaders"), "a shader file is not in the list above");
+    let libraries: BTreeSet<String> = shader::LIBRARY.iter().map(|(name, _)| format!("{name}.wgsl")).collect();
+    assert_eq!(libraries, files("shaders/lib"), "a library is not registered");
+}
+
+/// Compares a Rust struct with a WGSL one: the same members, in order, at the same offsets, and the same size.
+macro_rules! assert_mirror {
+    ($source:expr, $wgsl:literal, $rust:ty, [$($field:ident),* $(,)?]) => {{
+        let module = parsed($wgsl, &$source);
+        let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some($wgsl)).expect($wgsl);
+        let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{} is no struct", $wgsl) };
+        let wgsl: Vec<_> = members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect();
+        let rust = vec![$((stringify!($field).to_string(), std::mem::offset_of!($rust, $field))),*];
+        assert_eq!(wgsl, rust, "{}", $wgsl);
+        assert_eq!(*span as usize, size_of::<$rust>(), "size of {}", $wgsl);
+    }};
+}
+
+#[test]
+fn structs_have_the_same_members_at_the_same_places() {
+    assert_mirror!(ocean::source(), "Frame", frame::FrameUniform, [
+        clip_from_local, ray_right, eye_altitude, ray_up, semi_major, ray_forward, semi_minor, quadric_diagonal,
+        quadric_constant, quadric_mixed, projector_rise, quadric_gradient, projector_constant, projector_gradient,
+        projector_margin, sin_lat, cos_lat, foot_nu, mercator_sin, north_point, south_point, north_delta,
+        mercator_sin_delta, south_delta, whitecaps, mercator_fixed, north_fixed, south_fixed, meridian, sun, exposure,
+        viewport, pixel_angle, water_density, wind, wave_height, chop, mix_near, mix_far, foam, perlin_patch, patches,
+        node_count, layers, output, cascade_count, terrain_resolution, perlin_deviation, crest_height, foam_quantile,
+        slope_variance,
+    ]);
+    assert_mirror!(ocean::source(), "WaveNode", frame::WaveNode, [
+        origin, unused_a, axis_x, unused_b, axis_y, unused_c, starts, perlin_start,
+    ]);
+    assert_mirror!(fft::source(64, Precision::Half), "Evolution", fft::Evolution, [ticks, cascade_count, unused, patches]);
+    assert_mirror!(perlin::source(), "PerlinSettings", perlin::PerlinSettings, [
+        octaves, patch_length, seed, peak_cells, unused,
+    ]);
+}
+
+/// The value of a module constant, which must be a literal.
+fn constant(source: &str, name: &str) -> f64 {
+    let module = parsed(name, source);
+    let (_, found) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name);
+    match module.global_expressions[found.init] {
+        naga::Expression::Literal(naga::Literal::U32(x)) => f64::from(x),
+        naga::Expression::Literal(naga::Literal::F32(x)) => f64::from(x),
+        ref other => panic!("{name} is {other:?}"),
+    }
+}
+
+#[test]
+fn constants_are_equal_on_both_sides() {
+    let ocean = ocean::source();
+    let land = land::source();
+    assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
+    assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
+    assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
+    assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
+    assert_eq!(constant(&perlin::source(), "OCTAVES"), perlin::OCTAVES as f64);
+    assert_eq!(constant(&ocean, "NEAR"), f64::from(frame::NEAR_M as f32));
+    let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
+    assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));
+    let sine = ocean_globe::data::tile::POLAR_LATITUDE_DEG.to_radians().sin();
+    assert_eq!(constant(&ocean, "POLAR_SIN_LAT"), f64::from(sine as f32));
+    for (name, output) in [
+        ("PICTURE", frame::Output::Picture),
+        ("LONLAT", frame::Output::LonLat),
+        ("DEPTH", frame::Output::Depth),
+        ("MASK", frame::Output::Mask),
+        ("HEIGHT", frame::Output::Height),
+        ("NORMAL", frame::Output::Normal),
+        ("CLASS", frame::Output::Class),
+        ("PERLIN_WEIGHT", frame::Output::PerlinWeight),
+    ] {
+        assert_eq!(constant(&ocean, name), f64::from(output as u32), "{name}");
+    }
+}
