@@ -37,6 +37,9 @@ pub struct BakeArgs {
     /// Elevation in metres, netCDF-3, global, nodes from pole to pole (ETOPO5)
     #[arg(long, value_name = "FILE")]
     pub elevation: PathBuf,
+    /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub elevation_east_deg: f64,
     /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
     #[arg(long = "mask", value_name = "FILE", required = true)]
     pub masks: Vec<PathBuf>,
@@ -52,14 +55,17 @@ pub struct BakeArgs {
     /// Down to this level all terrain tiles are made; deeper ones only along the ocean's shores
     #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=10))]
     pub terrain_full_zoom: u8,
+    /// A deeper terrain tile is made only if it changes the ground by this mean, metres
+    #[arg(long, default_value_t = 16.0)]
+    pub terrain_worth_m: f64,
     /// Deepest level of the polar archives
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=6))]
     pub polar_zoom: u8,
     /// From this level on, a deeper water tile is made only where it puts enough ground right
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 4)]
     pub sparse_zoom: u8,
     /// The ground, km², that a deeper water tile must put right: one value per level from --sparse-zoom on
-    #[arg(long, value_delimiter = ',', default_value = "3,1.5")]
+    #[arg(long, value_delimiter = ',', default_value = "12,4,1.5")]
     pub worth_km2: Vec<f64>,
     /// Credit for the elevation, shown on screen
     #[arg(long, default_value = "")]
@@ -81,13 +87,14 @@ pub fn bake(args: &BakeArgs) -> Result<()> {
     let bar = bar("reducing the mask", mask.height());
     let reduced = mask.reduced(|row| bar.set_position(row as u64))?;
     bar.finish_and_clear();
-    let elevation = elevation::Elevation::open(&args.elevation, &reduced)?;
+    let elevation = elevation::Elevation::open(&args.elevation, args.elevation_east_deg, &reduced)?;
     let resolution_m = |step_deg: f64| (step_deg * METRES_PER_DEG).round();
     for projection in Projection::ALL {
         let polar = projection != Projection::Mercator;
         let depth = terrain::Depth {
             max_zoom: if polar { args.polar_zoom } else { args.terrain_zoom },
             full_zoom: if polar { args.polar_zoom } else { args.terrain_full_zoom },
+            worth_m: args.terrain_worth_m,
         };
         let about = About {
             layer: Layer::Terrain,

@@ -41,9 +41,10 @@ pub struct Elevation {
 }
 
 impl Elevation {
-    /// Reads the grid and separates it.
-    pub fn open(path: &Path, mask: &Raster) -> Result<Self> {
+    /// Reads the grid, moves it east by `east_deg`, and separates it.
+    pub fn open(path: &Path, east_deg: f64, mask: &Raster) -> Result<Self> {
         let mut elevation = Self::read(path)?;
+        elevation.west_deg += east_deg;
         elevation.repair_antarctica(mask);
         elevation.separate(mask);
         Ok(elevation)
@@ -164,7 +165,7 @@ impl Elevation {
         let (y, x) = ((lat_deg + 90.0) / self.step_deg, (lon_deg - self.west_deg) / self.step_deg);
         let (row, column) = (y.floor(), x.floor());
         let (rows, columns) = (weights((y - row) as f32), weights((x - column) as f32));
-        let mut sum = 0.0;
+        let (mut sum, mut lowest) = (0.0, f32::INFINITY);
         for (j, weight) in rows.into_iter().enumerate() {
             // Beyond a pole lies the opposite meridian.
             let last = self.height as i64 - 1;
@@ -177,10 +178,15 @@ impl Elevation {
             let from = r.clamp(0, last) as usize * self.width;
             for (i, across) in columns.into_iter().enumerate() {
                 let c = (column as i64 + i as i64 - 1 + turn as i64).rem_euclid(self.width as i64);
-                sum += weight * across * field[from + c as usize];
+                let metres = field[from + c as usize];
+                sum += weight * across * metres;
+                if (1..3).contains(&i) && (1..3).contains(&j) {
+                    lowest = lowest.min(metres);
+                }
             }
         }
-        if bed { sum.min(-0.5) } else { sum }
+        // The curve undershoots beside a rise; that must not sink dry land below the nodes around it.
+        if bed { sum.min(-0.5) } else { sum.max(lowest) }
     }
 }
 

@@ -22,6 +22,8 @@ pub struct Depth {
     pub max_zoom: u8,
     /// Down to this level every tile is there; below only those with an ocean's shore in them.
     pub full_zoom: u8,
+    /// Below `full_zoom`, a tile is made only if its texels differ from what half as many would draw by this mean, metres.
+    pub worth_m: f64,
 }
 
 /// Makes one terrain archive's tiles.
@@ -37,7 +39,10 @@ pub fn add_tiles(
     for z in 0..=depth.max_zoom {
         let mut next = Vec::new();
         for (batch, tiles) in level.chunks(BATCH).enumerate() {
-            let made = map_in_order(tiles, |tile| terrain_tile(*tile, elevation, mask, z <= depth.full_zoom));
+            let made = map_in_order(tiles, |tile| {
+                let worth_m = if z > depth.full_zoom { Some(depth.worth_m) } else { None };
+                terrain_tile(*tile, elevation, mask, worth_m)
+            });
             for (tile, bytes) in tiles.iter().zip(made) {
                 if let Some(bytes) = bytes? {
                     writer.add(z, tile.x, tile.y, &bytes)?;
@@ -51,13 +56,13 @@ pub fn add_tiles(
     Ok(())
 }
 
-/// The PNG of a tile; `None` where it has no shore and none is wanted then.
-fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, always: bool) -> Result<Option<Vec<u8>>> {
+/// The PNG of a tile; with `worth_m`, `None` where it has no shore or adds less than that to its parent.
+fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, worth_m: Option<f64>) -> Result<Option<Vec<u8>>> {
     // Texel centres with one neighbour on each side; degrees and whether the ocean is there.
     let places: Vec<_> = (0..PADDED * PADDED)
         .map(|at| place(tile, (at % PADDED) as f64 - 1.0, (at / PADDED) as f64 - 1.0, mask))
         .collect();
-    if !always && places.iter().all(|place| place.2 == places[0].2) {
+    if worth_m.is_some() && places.iter().all(|place| place.2 == places[0].2) {
         return Ok(None);
     }
     let mut metres = Vec::with_capacity(TILE_TEXELS * TILE_TEXELS);
@@ -89,7 +94,29 @@ fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, always: bool
             metres.push(coarser_far_from_sea_level(mean));
         }
     }
+    if worth_m.is_some_and(|worth_m| detail_m(&metres) < worth_m) {
+        return Ok(None);
+    }
     terrarium::encode(&metres).map(Some)
+}
+
+/// How far, in the mean, the texels lie from the bilinear surface of half as many per side, metres.
+fn detail_m(metres: &[f32]) -> f64 {
+    let half = TILE_TEXELS / 2;
+    let coarse = |i: usize, j: usize| {
+        let at = 2 * j.min(half - 1) * TILE_TEXELS + 2 * i.min(half - 1);
+        (metres[at] + metres[at + 1] + metres[at + TILE_TEXELS] + metres[at + TILE_TEXELS + 1]) / 4.0
+    };
+    let mut sum = 0.0;
+    for (at, fine) in metres.iter().enumerate() {
+        let (column, row) = (at % TILE_TEXELS, at / TILE_TEXELS);
+        // A fine texel's centre lies a quarter of the way from its coarse one to the next on its side.
+        let beside = |k: usize| if k % 2 == 0 { (k / 2).saturating_sub(1) } else { k / 2 + 1 };
+        let (i, j, i2, j2) = (column / 2, row / 2, beside(column), beside(row));
+        let along = |j| 0.75 * coarse(i, j) + 0.25 * coarse(i2, j);
+        sum += f64::from((fine - (0.75 * along(j) + 0.25 * along(j2))).abs());
+    }
+    sum / metres.len() as f64
 }
 
 /// (latitude, longitude, is ocean) at a place in texels from the centre of the tile's first texel; degrees.

@@ -102,7 +102,9 @@ fn every_tile(projection: Projection, deepest: u8) -> Vec<BTreeSet<TileId>> {
 /// For each level the Mercator tiles that have a shore in or near them, and all tiles above those.
 fn tiles_near_shores(reduced: &Raster, deepest: u8) -> Vec<BTreeSet<TileId>> {
     let tiles = 2f64.powi(i32::from(deepest));
+    let count = 1i64 << deepest;
     let reach = NEAR_TEXELS / TILE_TEXELS as f64;
+    let wide = reduced.step_deg() / 360.0 * tiles;
     let width = reduced.width;
     let mut near = BTreeSet::new();
     for row in 0..reduced.cells.len() / width {
@@ -120,13 +122,18 @@ fn tiles_near_shores(reduced: &Raster, deepest: u8) -> Vec<BTreeSet<TileId>> {
             }
             let (lat_deg, lon_deg) = reduced.centre_deg(row, column);
             let (x, y) = map_from_lat_lon(Projection::Mercator, lat_deg.to_radians(), lon_deg.to_radians());
-            let corners = [(-reach, -reach), (reach, -reach), (-reach, reach), (reach, reach)].map(|(dx, dy)| {
-                let column = (x * tiles + dx).floor().rem_euclid(tiles) as u32;
-                (column, (y * tiles + dy).floor().clamp(0.0, tiles - 1.0) as u32)
-            });
-            if last != Some(corners) {
-                near.extend(corners.iter().filter_map(|(x, y)| TileId::new(Projection::Mercator, deepest, *x, *y)));
-                last = Some(corners);
+            // The shore lies in the cell or at its edge.
+            let (reach_x, reach_y) = (reach + wide, reach + wide / lat_deg.to_radians().cos());
+            let range = |at: f64, reach: f64| ((at - reach).floor() as i64, (at + reach).floor() as i64);
+            let reached = (range(x * tiles, reach_x), range(y * tiles, reach_y));
+            if last != Some(reached) {
+                last = Some(reached);
+                let ((west, east), (north, south)) = reached;
+                for row in north.max(0)..=south.min(count - 1) {
+                    near.extend((west..=east).filter_map(|column| {
+                        TileId::new(Projection::Mercator, deepest, column.rem_euclid(count) as u32, row as u32)
+                    }));
+                }
             }
         }
     }

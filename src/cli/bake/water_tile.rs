@@ -7,12 +7,15 @@ use crate::data::tile::{EQUATOR_M, Projection, TILE_TEXELS, TileId, lat_lon_from
 use crate::data::water::{self, SHORE, WaterClass, byte_from_distance};
 use crate::error::Result;
 
+/// A wrong shore of a lake counts this much of one of the ocean: the sea is what is looked at from near.
+const LAKE_WEIGHT: f64 = 0.25;
+
 /// A water tile, ready to be stored.
 pub struct WaterTile {
     /// The PNG.
     pub bytes: Vec<u8>,
     /// For each quarter of the tile (in the order of [`TileId::children`]) the ground, km², that its own distances put
-    /// on the wrong side of a shore.
+    /// on the wrong side of a shore; at lakes a quarter of it.
     pub wrong_km2: [f64; 4],
 }
 
@@ -22,9 +25,9 @@ pub fn water_tile(tile: TileId, raster: &Raster) -> Result<WaterTile> {
     let classes = classes(tile, &grid, raster);
     let mut texels = vec![[0u8; 3]; TILE_TEXELS * TILE_TEXELS];
     let mut wrong_km2 = [0.0; 4];
-    let classes_of_shore: [&[WaterClass]; 2] = [&[WaterClass::Ocean], &[WaterClass::Lake]];
-    for (channel, wet) in classes_of_shore.into_iter().enumerate() {
-        let inside: Vec<bool> = classes.iter().map(|class| wet.iter().any(|wet| *wet as u8 == *class)).collect();
+    for (channel, (wet, weight)) in [(WaterClass::Ocean, 1.0), (WaterClass::Lake, LAKE_WEIGHT)].into_iter().enumerate()
+    {
+        let inside: Vec<bool> = classes.iter().map(|class| *class == wet as u8).collect();
         let (nearest, shores) = nearest_shore(&inside, SIDE, (MARGIN - 1) * CELLS_PER_TEXEL);
         for (index, texel) in texels.iter_mut().enumerate() {
             let cell = |i: usize| (i + MARGIN) * CELLS_PER_TEXEL + CELLS_PER_TEXEL / 2;
@@ -41,7 +44,7 @@ pub fn water_tile(tile: TileId, raster: &Raster) -> Result<WaterTile> {
         }
         if shores > 0 {
             let wrong = wrong_area(tile, &texels, channel, &inside, &nearest);
-            wrong_km2.iter_mut().zip(wrong).for_each(|(sum, wrong)| *sum += wrong);
+            wrong_km2.iter_mut().zip(wrong).for_each(|(sum, wrong)| *sum += weight * wrong);
         }
     }
     for (index, texel) in texels.iter_mut().enumerate() {

@@ -1,0 +1,103 @@
+//! `sample` at known places of the bundled world.
+//!
+//! Heights: what a map says, with room for ETOPO5's cells of 9 km, which lower peaks and fill trenches.
+
+use ocean_globe::cli::sample::{SampleArgs, sample};
+use ocean_globe::data::world::World;
+use serde_json::Value;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+
+fn at(place: &str) -> Value {
+    sample(&SampleArgs { at: place.into(), data: DATA.into() }).unwrap()
+}
+
+#[test]
+fn known_places_have_their_class_and_height() {
+    // Name, place, class, elevation from … to, metres.
+    let places = [
+        ("Mount Everest", "27.99,86.93", "land", 4500.0, 8849.0),
+        ("Challenger Deep", "11.35,142.2", "ocean", -11_000.0, -6500.0),
+        ("Middle of the Atlantic", "35.6812,-14.25", "ocean", -5500.0, -2000.0),
+        ("North Pole", "90,0", "ocean", -4340.0, -4240.0),
+        ("South Pole", "-90,0", "land", 2760.0, 2860.0),
+        ("Dead Sea", "31.5,35.48", "lake", -450.0, -150.0),
+        ("West of the Dead Sea", "31.6,35.2", "land", -400.0, 1100.0),
+        ("Death Valley", "36.25,-116.83", "land", -86.0, 1500.0),
+        ("Caspian Sea", "42,50.5", "lake", -1100.0, -26.0),
+        ("Caspian lowland", "47.3,50.5", "land", -32.0, -5.0),
+        ("Qattara Depression", "29.6,27.3", "land", -134.0, -10.0),
+        ("Flevoland", "52.45,5.6", "land", -7.5, 20.0),
+        ("Lake Victoria", "-1,33", "lake", 1000.0, 1300.0),
+        ("Lake Superior", "47.7,-87.5", "lake", -250.0, 400.0),
+        ("Manitoulin Island", "45.75,-82.3", "island", 150.0, 400.0),
+        ("Hudson Bay", "60,-86", "ocean", -300.0, -20.0),
+        ("Black Sea", "43,34", "ocean", -2300.0, -1500.0),
+        ("Baltic Sea", "58,19.8", "ocean", -460.0, -30.0),
+        ("Sahara", "23,10", "land", 200.0, 2000.0),
+        ("Greenland's ice", "72,-40", "land", 2500.0, 3300.0),
+        ("East Antarctica", "-75,100", "land", 2500.0, 3800.0),
+        ("Ross Ice Shelf", "-81,180", "land", 20.0, 100.0),
+        ("Pacific on the date line", "0,180", "ocean", -6500.0, -3500.0),
+        ("Viti Levu, Fiji", "-17.8,178", "land", 2.0, 1330.0),
+        ("São Miguel, Azores", "37.78,-25.5", "land", 2.0, 1105.0),
+    ];
+    for (name, place, class, from, to) in places {
+        let found = at(place);
+        assert_eq!(found["class"], class, "{name}: {found}");
+        let elevation_m = found["elevation_m"].as_f64().unwrap();
+        assert!((from..=to).contains(&elevation_m), "{name}: {found}");
+        match class {
+            "ocean" => assert_eq!(found["depth_m"].as_f64().unwrap(), -elevation_m, "{name}"),
+            _ => assert!(found["depth_m"].is_null(), "{name}"),
+        }
+        assert_eq!(found["shore_distance_m"].as_f64().unwrap() > 0.0, class == "ocean", "{name}: {found}");
+        assert_eq!(found["lake_distance_m"].as_f64().unwrap() > 0.0, class == "lake", "{name}: {found}");
+    }
+}
+
+#[test]
+fn shore_distances_are_those_of_the_map() {
+    // Name, place, distance to the ocean's shore in metres (positive in the ocean), tolerance: a texel of the level it
+    // comes from, and the width of the landmark.
+    for (name, place, metres, tolerance) in [
+        ("Ponta Delgada's harbour", "37.738,-25.665", 0.0, 1000.0),
+        ("Cape Agulhas", "-34.833,20.0", 0.0, 1500.0),
+        ("Off Cape St Vincent, 100 km west", "37.02,-10.13", 100_000.0, 5000.0),
+        ("Madrid, 300 km inland", "40.42,-3.7", -300_000.0, 20_000.0),
+    ] {
+        let found = at(place)["shore_distance_m"].as_f64().unwrap();
+        assert!((found - metres).abs() < tolerance, "{name}: {found}");
+    }
+}
+
+#[test]
+fn the_date_line_and_the_map_border_at_84_degrees_do_not_show() {
+    let mut world = World::open(DATA);
+    let mut sample =
+        |lat_deg: f64, lon_deg: f64| world.sample_blocking(lat_deg.to_radians(), lon_deg.to_radians()).unwrap();
+    for lat_deg in [-60.0, -17.0, 0.0, 52.0, 66.5] {
+        let (west, east) = (sample(lat_deg, 180.0 - 1e-7), sample(lat_deg, -180.0 + 1e-7));
+        assert_eq!(west.class, east.class);
+        // One centimetre apart: the steepest interpolated slope here is below 1 in 1.
+        assert!((west.elevation_m - east.elevation_m).abs() < 0.1, "{lat_deg}: {west:?} {east:?}");
+    }
+    for lon_deg in [-170.0, -90.0, -40.0, 30.0, 120.0] {
+        for lat_deg in [84.0, -84.0] {
+            let (north, south) = (sample(lat_deg + 1e-7, lon_deg), sample(lat_deg - 1e-7, lon_deg));
+            assert_eq!(north.class, south.class);
+            // Two pyramids of texels of 1.6 km and 3.3 km, rounded to 32 m each, on slopes up to 10 %.
+            assert!((north.elevation_m - south.elevation_m).abs() < 150.0, "{lat_deg} {lon_deg}: {north:?} {south:?}");
+        }
+    }
+}
+
+#[test]
+fn places_that_are_none_are_refused() {
+    for place in ["", "1", "1;2", "91,0", "nan,0", "1,inf", "1,2,3", "x,y"] {
+        let error = sample(&SampleArgs { at: place.into(), data: DATA.into() }).unwrap_err().to_string();
+        assert!(error.contains("--at") && error.contains("35.68"), "{error}");
+    }
+    let error = sample(&SampleArgs { at: "1,2".into(), data: "no/such/folder".into() }).unwrap_err().to_string();
+    assert!(error.contains("no/such/folder/terrain.pmtiles"), "{error}");
+}
