@@ -46,12 +46,15 @@ fn vertex(in: Tile) -> Vertex {
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
 }
 
+// Whether a pixel is wide enough to see that triangles are flat.
+fn spacing_matters(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
+
 fn natural_colour(elevation: Metres, slope: f32, sin_lat: f32, at: vec2u) -> vec3f {
-    let patchy = map_noise(at, 7u, 1u) * 0.5 + map_noise(at, 10u, 2u) * 0.3 + map_noise(at, 14u, 3u) * 0.2;
+    let patchy = map_noise(at, 7u, 1u) * 0.4 + map_noise(at, 9u, 2u) * 0.3 + map_noise(at, 11u, 3u) * 0.2 + map_noise(at, 15u, 4u) * 0.1;
     let latitude = degrees(asin(clamp(abs(sin_lat), 0.0, 1.0))) + (patchy - 0.5) * 9.0;
-    let forest = vec3f(0.028, 0.052, 0.018);
-    let grass = vec3f(0.075, 0.095, 0.035);
-    let desert = vec3f(0.30, 0.215, 0.125);
+    let forest = vec3f(0.034, 0.060, 0.020);
+    let grass = vec3f(0.105, 0.115, 0.045);
+    let desert = vec3f(0.36, 0.26, 0.155);
     let tundra = vec3f(0.105, 0.095, 0.065);
     let rock = vec3f(0.13, 0.115, 0.10);
     let snow = vec3f(0.80, 0.83, 0.87);
@@ -112,7 +115,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
     if !sea_covers {
-        let air = scatter_to(-to_eye, distance, 10u);
+        // Far away the chords of the triangles lie noticeably below the ground: the ray's own way to its height counts.
+        let shell = shell_hits(eye_ray(-to_eye), ground.elevation);
+        let exact = select(distance, shell.x, shell.x > 0.0 && shell.y > shell.x && spacing_matters(distance));
+        let air = scatter_to(-to_eye, exact, 10u);
         radiance = radiance * air.transmittance + air.radiance;
     }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);

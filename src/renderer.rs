@@ -1,6 +1,6 @@
 //! Floor 5: owns the passes. [`Renderer::render`] is one frame, in order, the same in browser, window and headless.
 
-use crate::data::tile::{Layer, Projection};
+use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
 use crate::gpu::pipeline::Bind;
@@ -87,6 +87,8 @@ pub struct Renderer {
     tonemap: Tonemap,
     targets: Option<Targets>,
     sea: Option<Arc<SeaTables>>,
+    visible: Vec<TileId>,
+    complete: bool,
 }
 
 impl Renderer {
@@ -136,6 +138,8 @@ impl Renderer {
             surface_group,
             targets: None,
             sea: None,
+            visible: Vec::new(),
+            complete: false,
             gpu,
             world,
         }
@@ -143,15 +147,14 @@ impl Renderer {
 
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
-        let visible = visible_tiles(&frame.camera, frame.size);
-        self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &visible);
-        self.world.settled()
+        self.visible = visible_tiles(&frame.camera, frame.size);
+        self.complete = self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &self.visible);
+        self.complete
     }
 
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
-        let visible = visible_tiles(&frame.camera, frame.size);
-        self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &visible);
+        self.load(frame);
         self.fit(frame.size);
         self.take_sea(&frame.sea);
         let Some(targets) = &self.targets else { return };
@@ -160,7 +163,7 @@ impl Renderer {
         self.frame_group.upload(&self.gpu, frame, resolution);
         self.fft.set_time(&self.gpu, frame.ticks());
         self.perlin.prepare(&self.gpu, frame);
-        self.land.set_tiles(&self.gpu, &visible);
+        self.land.set_tiles(&self.gpu, &self.visible);
         let (frame_group, surface) = (&self.frame_group.group, &self.surface_group);
 
         {
@@ -234,7 +237,7 @@ impl Renderer {
 
     /// Whether more tiles are on their way, so that another frame would look different.
     pub fn needs_redraw(&self) -> bool {
-        !self.world.settled()
+        !self.complete
     }
 
     /// The device.

@@ -107,6 +107,7 @@ fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source();
     let land = land::source();
     assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
+    assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));

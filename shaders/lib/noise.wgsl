@@ -1,26 +1,32 @@
 // Cheap value noise for colours; nothing that is measured depends on it.
 
-fn hash_word(p: vec3u) -> f32 {
+fn hash_word(p: vec3u) -> u32 {
     var v = p * 1664525u + 1013904223u;
     v.x += v.y * v.z;
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     v ^= v >> vec3u(16u);
     v.x += v.y * v.z;
-    return f32(v.x >> 8u) / 16777216.0;
+    return v.x;
 }
 
-// Smooth noise in [0, 1] over fixed-point map coordinates: cells of 2^(32 - level) units.
+// Slope of the lattice point's plane along an offset: one of eight directions.
+fn plane(cell: vec2u, salt: u32, offset: vec2f) -> f32 {
+    let angle = f32(hash_word(vec3u(cell, salt)) >> 29u) * 0.78539816;
+    return dot(vec2f(cos(angle), sin(angle)), offset);
+}
+
+// Smooth gradient noise, about 0…1, over fixed-point map coordinates: cells of 2^(32 - level) units.
 fn map_noise(at: vec2u, level: u32, salt: u32) -> f32 {
     let shift = 32u - level;
     let cell = at >> vec2u(shift);
     let f = vec2f(at & vec2u((1u << shift) - 1u)) / f32(1u << shift);
-    let u = f * f * (3.0 - 2.0 * f);
+    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
     let mask = (1u << level) - 1u;
     let next = (cell + 1u) & vec2u(mask);
-    let a = hash_word(vec3u(cell, salt));
-    let b = hash_word(vec3u(next.x, cell.y, salt));
-    let c = hash_word(vec3u(cell.x, next.y, salt));
-    let d = hash_word(vec3u(next, salt));
-    return mix(mix(a, b, u.x), mix(c, d, u.x), u.y);
+    let a = plane(cell, salt, f);
+    let b = plane(vec2u(next.x, cell.y), salt, f - vec2f(1.0, 0.0));
+    let c = plane(vec2u(cell.x, next.y), salt, f - vec2f(0.0, 1.0));
+    let d = plane(next, salt, f - vec2f(1.0, 1.0));
+    return clamp(0.5 + 0.8 * mix(mix(a, b, u.x), mix(c, d, u.x), u.y), 0.0, 1.0);
 }

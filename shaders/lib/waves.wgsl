@@ -42,6 +42,11 @@ fn tile_start(index: u32, cascade: u32) -> vec2f {
     return select(pair.xy, pair.zw, (cascade & 1u) == 1u);
 }
 
+// Sample n of a tile stands at n / N of its length, a texel's centre at (n + 1/2) / N.
+fn tile_uv(local: vec2f, index: u32, cascade: u32, texels: f32) -> vec2f {
+    return (local + tile_start(index, cascade)) / frame.patches[cascade] + 0.5 / texels;
+}
+
 // Mip level at which a texel is as wide as `footprint`.
 fn mip_for(footprint: Metres, patch_length: Metres, texels: f32) -> f32 {
     return log2(max(footprint * texels / patch_length, 1.0));
@@ -68,7 +73,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
                 let length = frame.patches[c];
                 let fade = resolvable(footprint, length);
                 if fade <= 0.0 { continue; }
-                let uv = (local + tile_start(i, c)) / length;
+                let uv = tile_uv(local, i, c, texels);
                 own += fade * textureSampleLevel(displacements, repeated, uv, c, mip_for(footprint, length, texels)).xyz;
             }
             own *= weights.x * vec3f(frame.chop, frame.chop, 1.0);
@@ -119,7 +124,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
                 let length = frame.patches[c];
                 let fade = resolvable(footprint, length);
                 if fade <= 0.0 { continue; }
-                let uv = (local + tile_start(i, c)) / length;
+                let uv = tile_uv(local, i, c, texels);
                 let lod = mip_for(footprint, length, texels);
                 g += fade * textureSampleLevel(gradients, repeated, uv, c, lod);
                 mixed += fade * textureSampleLevel(displacements, repeated, uv, c, lod).w;

@@ -146,8 +146,10 @@ impl WorldTiles {
         Self { atlases, frame: 0, corners: [[[u32::MAX; 2]; PAGE_LEVELS]; 3], revision: 0 }
     }
 
-    /// Asks `world` for what `tiles` need, takes what has arrived, and brings the page tables up to date.
-    pub fn update(&mut self, gpu: &Gpu, world: &mut World, camera: &Camera, tiles: &[TileId]) {
+    /// Asks `world` for what `tiles` need, takes what has arrived, and brings the page tables up to date. True when nothing
+    /// had to be asked for: all that the world has of them is here.
+    pub fn update(&mut self, gpu: &Gpu, world: &mut World, camera: &Camera, tiles: &[TileId]) -> bool {
+        let mut complete = true;
         self.frame += 1;
         for arrival in world.poll() {
             let atlas = &mut self.atlases[arrival.layer as usize];
@@ -164,6 +166,7 @@ impl WorldTiles {
                 let deepest = world.max_zoom(atlas.layer, id.projection).unwrap_or(0);
                 if id.z <= deepest && usize::from(id.z) < PAGE_LEVELS && atlas.want(id, self.frame) {
                     world.request(atlas.layer, id);
+                    complete = false;
                 }
             }
         }
@@ -176,6 +179,7 @@ impl WorldTiles {
                 atlas.write_pages(gpu, &self.corners);
             }
         }
+        complete && world.settled()
     }
 
     /// Terrain and water: the atlases as arrays, then the page tables.

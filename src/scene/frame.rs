@@ -251,7 +251,7 @@ fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     let day = ((mu + 0.17) / 0.42).clamp(0.0, 1.0);
     let night_gain = 40f64.powf((1.0 - day).powi(2));
     let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
-    u.exposure = (5.5 * night_gain.powf(low)) as f32;
+    u.exposure = (4.6 * night_gain.powf(low)) as f32;
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {

@@ -1,18 +1,21 @@
 //! The eye over the moving water: its altitude counted from the surface at its place instead of from the ellipsoid.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::camera::Camera;
 use super::sea::SeaTables;
 use super::settings::Settings;
 use super::view_state::ViewState;
-use super::wave_domain::cells_near;
+use super::wave_domain::{blend, cells_near};
 use crate::model::fft::{Complex, mul};
 use crate::model::waves::{self, Cascade};
 use std::sync::{Arc, Mutex};
 
 /// Waves lower than this share of the significant height do not lift the eye.
 const NOTICED: f64 = 2e-4;
+
+/// Steps of the inversion of the chop; each leaves the local stretch, some 0.3, of the error before.
+const ITERATIONS: usize = 5;
 
 struct Wave {
     kx: f64,
@@ -84,24 +87,28 @@ pub fn surface_height(settings: &Settings, camera: &Camera, unix_seconds: f64) -
         None => last.insert(Lift::new(tables.clone())),
     };
     let cells = cells_near(camera.lat, camera.lon);
-    let Some(cell) = cells.first() else { return 0.0 };
-    let (x, y) = cell.axes(settings.wind.from_deg.to_radians());
-    let away = Camera { altitude_m: 0.0, ..*camera }.eye_ecef() - cell.centre;
-    let place = DVec2::new(away.dot(x), away.dot(y));
+    let foot = Camera { altitude_m: 0.0, ..*camera }.eye_ecef();
+    let serving = blend(&cells, foot);
+    let wind_from = settings.wind.from_deg.to_radians();
     let ticks = waves::ticks_from_unix(unix_seconds);
-    // The rest point whose chop carries it under the eye: x + λ D(x) = place, by iteration.
-    let mut rest = place;
+    // The rest point whose chop carries it under the eye: r + λ D(r) = foot, by iteration.
+    let mut rest = foot;
     let mut height = 0.0;
-    for _ in 0..3 {
-        let mut shift = DVec2::ZERO;
+    for _ in 0..ITERATIONS {
+        let mut shift = DVec3::ZERO;
         height = 0.0;
-        for (index, cascade) in tables.cascades.iter().enumerate() {
-            let at = rest + cell.offset(settings.seed, index as u32, cascade.patch_m);
-            let (h, d) = lift.cascade(index, at, ticks);
-            height += h;
-            shift += d;
+        for &(cell, weight) in &serving {
+            let (x, y) = cell.axes(wind_from);
+            let away = rest - cell.centre;
+            let place = DVec2::new(away.dot(x), away.dot(y));
+            for (index, cascade) in tables.cascades.iter().enumerate() {
+                let at = place + cell.offset(settings.seed, index as u32, cascade.patch_m);
+                let (h, d) = lift.cascade(index, at, ticks);
+                height += weight * h;
+                shift += weight * (d.x * x + d.y * y);
+            }
         }
-        rest = place - settings.chop * shift;
+        rest = foot - settings.chop * shift;
     }
     height
 }

@@ -19,12 +19,26 @@ use glam::{DVec2, DVec3};
 
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::noise;
+use crate::model::sea_bed::smoothstep;
 
 /// Cells along the side of a face.
 pub const CELLS: i32 = 128;
 
 /// Cells that a frame can carry; equals `MAX_NODES` in `shaders/lib/frame.wgsl`.
 pub const MAX_NODES: usize = 24;
+
+/// A cell serves this much farther than the nearest one, metres; equals `BLEND_WIDTH` in `shaders/lib/waves.wgsl`.
+pub const BLEND_WIDTH_M: f64 = 9_000.0;
+
+/// Cells that serve a point (earth-centred, metres) with their weights, whose squares sum to one; the rest are left out.
+pub fn blend(cells: &[Cell], point: DVec3) -> Vec<(&Cell, f64)> {
+    let distance = |cell: &Cell| cell.centre.distance(point);
+    let nearest = cells.iter().map(distance).fold(f64::INFINITY, f64::min);
+    let weight = |cell| smoothstep(0.0, 1.0, 1.0 - (distance(cell) - nearest) / BLEND_WIDTH_M);
+    let serving: Vec<_> = cells.iter().map(|cell| (cell, weight(cell))).filter(|(_, w)| *w > 0.0).collect();
+    let norm = serving.iter().map(|(_, w)| w * w).sum::<f64>().sqrt();
+    serving.into_iter().map(|(cell, w)| (cell, w / norm)).collect()
+}
 
 /// One cell of the wave domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
