@@ -142,7 +142,8 @@ impl App {
     fn draw(&mut self, unix_seconds: f64, size: [u32; 2]) {
         self.picture.resize(&self.gpu.device, size);
         let size = self.picture.size();
-        let shown = Shown { settings: self.state.settings.clone(), camera: self.state.camera, unix_seconds, size };
+        let camera = self.state.eye(unix_seconds);
+        let shown = Shown { settings: self.state.settings.clone(), camera, unix_seconds, size };
         if self.shown.as_ref() == Some(&shown) && !self.is_loading() {
             return;
         }

@@ -5,11 +5,13 @@ mod time;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 
 use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
 
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
+use crate::scene::number::decimal;
 use crate::scene::settings::{Settings, Spectrum};
 use crate::scene::view_state::ViewState;
 use crate::scene::views::{VIEWS, View};
@@ -105,9 +107,10 @@ impl Panel {
                 ui.set_width(if self.open { WIDTH } else { 86.0 });
                 ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
                 action = self.header(ui, status);
+                progress(ui, status);
                 if self.open {
                     let scroll = ScrollArea::vertical().max_height(height - 40.0).auto_shrink([false, true]);
-                    scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status)));
+                    scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status.now_s)));
                 }
             });
         });
@@ -139,16 +142,12 @@ impl Panel {
         action
     }
 
-    fn body(&mut self, ui: &mut Ui, state: &mut ViewState, status: &Status<'_>) -> Option<Action> {
-        if status.pending > 0 {
-            let bar = egui::ProgressBar::new(status.progress).desired_height(12.0).desired_width(WIDTH - 14.0);
-            ui.add(bar.text(format!("{} tiles to come", status.pending)));
-        }
+    fn body(&mut self, ui: &mut Ui, state: &mut ViewState, now_s: f64) -> Option<Action> {
         self.wind(ui, &mut state.settings);
         ui.separator();
         let action = self.views(ui);
         ui.separator();
-        self.time.show(ui, state, status.now_s, &mut self.widgets);
+        self.time.show(ui, state, now_s, &mut self.widgets);
         ui.separator();
         egui::CollapsingHeader::new("Sea and layers").show(ui, |ui| self.sea(ui, &mut state.settings));
         action
@@ -161,7 +160,7 @@ impl Panel {
             ui.vertical(|ui| {
                 let mut speed_mps = settings.wind_speed_mps();
                 ui.spacing_mut().slider_width = 72.0;
-                let slider = ui.add(Slider::new(&mut speed_mps, 0.0..=60.0).max_decimals(1).suffix(" m/s"));
+                let slider = ui.add(Slider::new(&mut speed_mps, 0.0..=60.0).custom_formatter(digits(1)).suffix(" m/s"));
                 self.widgets.note("windSpeed", &slider);
                 if slider.changed() {
                     settings.wind.speed_mps = speed_mps;
@@ -210,9 +209,10 @@ impl Panel {
             }
         });
         ui.spacing_mut().slider_width = 80.0;
-        let chop = ui.add(Slider::new(&mut settings.chop, 0.0..=2.0).max_decimals(2).text("chop"));
+        let chop = ui.add(Slider::new(&mut settings.chop, 0.0..=2.0).custom_formatter(digits(2)).text("chop"));
         self.widgets.note("chop", &chop);
-        let density = Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).max_decimals(3).text("ρ, 1/m");
+        let density =
+            Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).custom_formatter(digits(3)).text("ρ, 1/m");
         ui.add(density).on_hover_text("The water hides the ground by 1 − exp(−ρ·depth)");
         ui.horizontal(|ui| {
             let seed = ui.add(egui::DragValue::new(&mut settings.seed).speed(1));
@@ -233,6 +233,21 @@ impl Panel {
 /// Names of the views' buttons among the widgets, in the order of [`VIEWS`].
 const VIEW_WIDGETS: [&str; VIEWS.len()] =
     ["viewGlobe", "viewOcean", "viewIslands", "viewCoast", "viewCalm", "viewBreeze", "viewGale", "viewHurricane"];
+
+/// Shows a number with at most so many decimals. egui's own limit would round the number itself, unasked.
+fn digits(decimals: i32) -> impl Fn(f64, RangeInclusive<usize>) -> String {
+    move |number, _| decimal(number, decimals)
+}
+
+/// A thin line whose length is the part of the tiles that has come. It always has its room, so that nothing below it jumps.
+fn progress(ui: &mut Ui, status: &Status<'_>) {
+    let (rect, line) = ui.allocate_exact_size(vec2(ui.available_width(), 3.0), egui::Sense::hover());
+    if status.pending > 0 {
+        let done = Rect::from_min_size(rect.min, vec2(rect.width() * status.progress.clamp(0.02, 1.0), rect.height()));
+        ui.painter().rect_filled(done, 1.0, ui.visuals().selection.bg_fill);
+        line.on_hover_text(format!("{} tiles to come", status.pending));
+    }
+}
 
 fn grade_name(grade: u8) -> String {
     format!("{grade} {}", sea_state::name(usize::from(grade)))

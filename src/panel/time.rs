@@ -2,7 +2,7 @@
 
 use egui::{DragValue, Slider, TextEdit, Ui};
 
-use super::Widgets;
+use super::{Widgets, digits};
 use crate::scene::time::SceneTime;
 use crate::scene::view_state::ViewState;
 
@@ -48,12 +48,16 @@ impl Editor {
             if pause.clicked() {
                 state.rate = if paused { self.rate } else { 0.0 };
             }
-            let rate = DragValue::new(&mut state.rate).range(-1000.0..=1000.0).speed(0.05).max_decimals(2).prefix("× ");
+            let rate = DragValue::new(&mut state.rate)
+                .range(-1000.0..=1000.0)
+                .speed(0.05)
+                .custom_formatter(digits(3))
+                .prefix("× ");
             let rate = ui.add(rate).on_hover_text("Seconds of the scene per second");
             widgets.note("rate", &rate);
             let mut hour = at_s.rem_euclid(DAY_S) / 3600.0;
             ui.spacing_mut().slider_width = 82.0;
-            let slider = Slider::new(&mut hour, 0.0..=23.999).show_value(false);
+            let slider = Slider::new(&mut hour, 0.0..=24.0).show_value(false);
             let slider = ui.add(slider).on_hover_text("Hour of the day, UTC");
             widgets.note("hour", &slider);
             if slider.changed() {

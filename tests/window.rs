@@ -1,0 +1,318 @@
+//! The whole program in a window that nobody sees: input, panel, address and the picture on egui's target.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use eframe::App as _;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
+use egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuSetup, wgpu};
+use ocean_globe::app::page::Page;
+use ocean_globe::app::{App, Options};
+use ocean_globe::data::world::World;
+use ocean_globe::gpu::Gpu;
+use ocean_globe::renderer::{Renderer, TARGET_FORMAT};
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::view_state::ViewState;
+
+/// What the program has told the page.
+#[derive(Default)]
+struct Record {
+    facts: HashMap<String, String>,
+    /// Every change of the fragment, and whether it made an entry in the history.
+    addresses: Vec<(String, bool)>,
+    /// A fragment that somebody else has set.
+    arriving: Option<String>,
+}
+
+struct TestPage(Rc<RefCell<Record>>);
+
+impl Page for TestPage {
+    fn new_fragment(&mut self) -> Option<String> {
+        self.0.borrow_mut().arriving.take()
+    }
+
+    fn set_fragment(&mut self, fragment: &str, push: bool) {
+        self.0.borrow_mut().addresses.push((fragment.to_owned(), push));
+    }
+
+    fn link(&self, fragment: &str) -> String {
+        format!("https://page.example/#{fragment}")
+    }
+
+    fn publish(&mut self, name: &str, value: &str) {
+        self.0.borrow_mut().facts.insert(name.to_owned(), value.to_owned());
+    }
+}
+
+struct Window {
+    context: egui::Context,
+    host: RenderState,
+    gpu: Gpu,
+    app: App,
+    page: Rc<RefCell<Record>>,
+    size: [u32; 2],
+    time_s: f64,
+    commands: Vec<egui::OutputCommand>,
+}
+
+impl Window {
+    fn open(state: &str, panel: bool, size: [u32; 2]) -> Self {
+        let mut config = WgpuConfiguration::default();
+        if let WgpuSetup::CreateNew(setup) = &mut config.wgpu_setup {
+            setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
+            setup.device_descriptor = std::sync::Arc::new(ocean_globe::gpu::context::device_descriptor);
+        }
+        let instance = pollster::block_on(config.wgpu_setup.new_instance());
+        let host = pollster::block_on(RenderState::create(&config, &instance, None, RendererOptions::default()));
+        let host = host.expect("a graphics adapter, if only a software one");
+        let gpu = Gpu::new(&host.adapter, host.device.clone(), host.queue.clone());
+        let renderer = renderer(&gpu);
+        let context = egui::Context::default();
+        let mut creation = eframe::CreationContext::_new_kittest(context.clone());
+        creation.wgpu_render_state = Some(host.clone());
+        let (state, errors) = ViewState::parse_fragment(state, None);
+        assert!(errors.is_empty(), "{errors:?}");
+        let page = Rc::new(RefCell::new(Record::default()));
+        let options = Options { state, panel };
+        let app = App::new(&creation, gpu.clone(), renderer, options, Box::new(TestPage(page.clone())));
+        let app = app.expect("an app on a working device");
+        let mut window = Self { context, host, gpu, app, page, size, time_s: 0.0, commands: Vec::new() };
+        // egui needs a second frame to know the sizes of its areas.
+        window.frame(vec![]);
+        window.frame(vec![]);
+        window
+    }
+
+    /// One frame with some events; returns the picture, RGBA rows from the top.
+    fn frame(&mut self, events: Vec<Event>) -> Vec<u8> {
+        let screen = Rect::from_min_size(Pos2::ZERO, vec2(self.size[0] as f32, self.size[1] as f32));
+        self.time_s += 1.0 / 60.0;
+        let input = egui::RawInput { screen_rect: Some(screen), events, time: Some(self.time_s), ..Default::default() };
+        let mut frame = eframe::Frame::_new_kittest();
+        let mut output = self.context.run_ui(input, |ui| self.app.ui(ui, &mut frame));
+        self.commands.append(&mut output.platform_output.commands);
+        let shapes = self.context.tessellate(output.shapes, output.pixels_per_point);
+        self.paint(&shapes, output.textures_delta)
+    }
+
+    fn paint(&self, shapes: &[egui::ClippedPrimitive], mut textures: egui::TexturesDelta) -> Vec<u8> {
+        let device = &self.host.device;
+        let target = target(device, self.host.target_format, self.size);
+        let view = target.create_view(&Default::default());
+        let screen = ScreenDescriptor { size_in_pixels: self.size, pixels_per_point: 1.0 };
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let mut renderer = self.host.renderer.write();
+        for (id, deltas) in textures.set.drain() {
+            deltas.iter().for_each(|delta| renderer.update_texture(device, &self.host.queue, id, delta));
+        }
+        let extra = renderer.update_buffers(device, &self.host.queue, &mut encoder, shapes, &screen);
+        let attachment = wgpu::RenderPassColorAttachment {
+            view: &view,
+            resolve_target: None,
+            // No picture has this colour all over: what is not painted shows.
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::GREEN), store: wgpu::StoreOp::Store },
+            depth_slice: None,
+        };
+        let pass = wgpu::RenderPassDescriptor { color_attachments: &[Some(attachment)], ..Default::default() };
+        renderer.render(&mut encoder.begin_render_pass(&pass).forget_lifetime(), shapes, &screen);
+        self.host.queue.submit(extra.into_iter().chain([encoder.finish()]));
+        self.gpu.read_texture(&target, 0, 0).expect("a readable target")
+    }
+
+    fn fact(&self, name: &str) -> String {
+        self.page.borrow().facts.get(name).cloned().unwrap_or_default()
+    }
+
+    fn state(&self) -> ViewState {
+        ViewState::parse_fragment(&self.fact("fragment"), None).0
+    }
+
+    /// The rectangle of a widget as the page is told it.
+    fn widget(&self, name: &str) -> Option<Rect> {
+        let all: serde_json::Value = serde_json::from_str(&self.fact("widgets")).expect("JSON");
+        let sides: Vec<f32> =
+            all.get(name)?.as_array()?.iter().filter_map(|side| side.as_f64()).map(|s| s as f32).collect();
+        Some(Rect::from_min_size(pos2(sides[0], sides[1]), vec2(sides[2], sides[3])))
+    }
+
+    fn press(&mut self, at: Pos2, pressed: bool) {
+        let button = PointerButton::Primary;
+        self.frame(vec![
+            Event::PointerMoved(at),
+            Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE },
+        ]);
+    }
+
+    fn click(&mut self, name: &str) {
+        let at = self.widget(name).unwrap_or_else(|| panic!("no widget {name}")).center();
+        self.frame(vec![Event::PointerMoved(at)]);
+        self.press(at, true);
+        self.press(at, false);
+        self.frame(vec![]);
+    }
+
+    fn key(&mut self, key: Key) {
+        for pressed in [true, false] {
+            let event = Event::Key { key, physical_key: None, pressed, repeat: false, modifiers: Modifiers::NONE };
+            self.frame(vec![event]);
+        }
+        self.frame(vec![]);
+    }
+}
+
+fn renderer(gpu: &Gpu) -> Renderer {
+    pollster::block_on(Renderer::new(gpu.clone(), World::open("www/data"))).expect("the program's own shaders")
+}
+
+fn target(device: &wgpu::Device, format: wgpu::TextureFormat, [width, height]: [u32; 2]) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("target"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+const STILL: &str = "view=35.6812,-14.25,560,186,78&time=2026-11-20T12:00:00Z&rate=0";
+
+#[test]
+fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
+    let size = [320, 180];
+    let mut window = Window::open(STILL, false, size);
+    while window.fact("state") == "loading" {
+        window.frame(vec![]);
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let seen = window.frame(vec![]);
+    // The same frame by the renderer alone, on the same device.
+    let mut alone = renderer(&window.gpu);
+    let state = ViewState::parse_fragment(STILL, None).0;
+    let unix_seconds = state.time.unix_seconds(0.0);
+    let frame = Frame::new(&state.settings, &state.eye(unix_seconds), unix_seconds, size);
+    while !alone.load(&frame) || alone.world_mut().pending() > 0 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let own = target(&window.host.device, TARGET_FORMAT, size);
+    let mut encoder = window.host.device.create_command_encoder(&Default::default());
+    alone.render(&mut encoder, &frame, &own.create_view(&Default::default()));
+    window.host.queue.submit([encoder.finish()]);
+    let own = window.gpu.read_texture(&own, 0, 0).expect("a readable target");
+    assert_eq!(seen.len(), own.len());
+    let different = seen.chunks(4).zip(own.chunks(4)).filter(|(a, b)| a[..3] != b[..3]).count();
+    assert_eq!(different, 0, "of {} pixels", seen.len() / 4);
+    let first = seen[..3].to_vec();
+    assert!(seen.chunks(4).any(|pixel| pixel[..3] != first), "a picture of one colour proves nothing");
+}
+
+#[test]
+fn the_panel_fits_a_small_window_and_its_widgets_work() {
+    let odd = "view=35.6812,-14.25,560,186,78&wind=12.345@250&bft=8&chop=0.123&time=2026-11-20T23:59:59.9Z&rate=0";
+    let mut window = Window::open(odd, true, [640, 360]);
+    let screen = Rect::from_min_size(Pos2::ZERO, vec2(640.0, 360.0));
+    for name in
+        ["fold", "copyLink", "windDial", "windSpeed", "beaufort", "viewGlobe", "viewHurricane", "time", "pause", "now"]
+    {
+        let rect = window.widget(name).unwrap_or_else(|| panic!("no widget {name}"));
+        assert!(screen.contains_rect(rect) && rect.is_positive(), "{name} at {rect}");
+    }
+    // Nothing was touched, so nothing has changed.
+    assert_eq!(window.fact("fragment"), odd);
+    // Wind speed: a click near the right end of the slider's rail.
+    let slider = window.widget("windSpeed").expect("a slider");
+    let at = pos2(slider.min.x + 60.0, slider.center().y);
+    window.press(at, true);
+    window.press(at, false);
+    window.frame(vec![]);
+    assert!(window.state().settings.wind.speed_mps > 30.0, "{}", window.fact("fragment"));
+    // The dial: its right edge is east.
+    let dial = window.widget("windDial").expect("a dial");
+    let at = dial.right_center() - vec2(3.0, 0.0);
+    window.press(at, true);
+    window.press(at, false);
+    window.frame(vec![]);
+    assert_eq!(window.state().settings.wind.from_deg, 90.0);
+    window.click("pause");
+    assert_eq!(window.state().rate, 1.0);
+    window.click("pause");
+    assert_eq!(window.state().rate, 0.0);
+    window.key(Key::Space);
+    assert_eq!(window.state().rate, 1.0);
+    window.click("copyLink");
+    let copied = window.commands.iter().find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    let copied = copied.expect("text in the clipboard");
+    assert!(copied.starts_with("https://page.example/#view=35.6812,-14.25,560,186,78&wind="), "{copied}");
+    // Folded it takes little room; hidden it takes none and publishes no widgets.
+    window.click("fold");
+    assert!(window.widget("windSpeed").is_none() && window.widget("fold").is_some());
+    window.key(Key::H);
+    assert_eq!(window.fact("widgets"), "{}");
+}
+
+#[test]
+fn a_named_view_makes_an_entry_in_the_history_and_the_address_follows() {
+    let mut window = Window::open(STILL, true, [640, 360]);
+    assert!(window.page.borrow().addresses.is_empty(), "opening a link leaves the address as it is");
+    window.click("viewGale");
+    let pushed: Vec<_> = window.page.borrow().addresses.iter().filter(|(_, push)| *push).cloned().collect();
+    assert_eq!(pushed.len(), 1);
+    assert!(pushed[0].0.contains("bft=8") && pushed[0].0.contains("ride=1"), "{}", pushed[0].0);
+    assert_eq!(window.state().settings.beaufort, Some(8));
+    // Back: the page's address changes under the program.
+    window.page.borrow_mut().arriving = Some(STILL.to_owned());
+    window.frame(vec![]);
+    assert_eq!(window.fact("fragment"), STILL);
+    let written = window.page.borrow().addresses.len();
+    window.frame(vec![]);
+    assert_eq!(window.page.borrow().addresses.len(), written, "what came from the address is not written back");
+    // Garbage leaves the view.
+    window.page.borrow_mut().arriving = Some(format!("{STILL}&chop=x&view=1,2&%%%"));
+    window.frame(vec![]);
+    assert_eq!(window.state().camera, ViewState::parse_fragment(STILL, None).0.camera);
+}
+
+#[test]
+fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
+    let still = "view=35.6812,-14.25,20000,0,0&time=2026-11-20T12:00:00Z&rate=0";
+    let mut window = Window::open(still, true, [480, 270]);
+    let start = window.state().camera;
+    window.press(pos2(100.0, 130.0), true);
+    window.frame(vec![Event::PointerMoved(pos2(160.0, 130.0))]);
+    window.press(pos2(160.0, 130.0), false);
+    let dragged = window.state().camera;
+    assert!(dragged.lon < start.lon && (dragged.lat - start.lat).abs() < 1e-4, "{dragged:?}");
+    let scroll = |at: Pos2| {
+        let wheel = Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, 100.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Wheel,
+            modifiers: Modifiers::NONE,
+        };
+        vec![Event::PointerMoved(at), wheel]
+    };
+    window.frame(scroll(pos2(100.0, 130.0)));
+    (0..10).for_each(|_| drop(window.frame(vec![])));
+    let low = window.state().camera;
+    assert!(low.altitude_m < dragged.altitude_m * 0.95, "{low:?}");
+    let mut rest = low;
+    loop {
+        (0..3).for_each(|_| drop(window.frame(vec![])));
+        let now = window.state().camera;
+        if now == rest {
+            break;
+        }
+        rest = now;
+    }
+    let over_panel = window.widget("pause").expect("a panel").center() + vec2(0.0, 14.0);
+    window.frame(scroll(over_panel));
+    (0..10).for_each(|_| drop(window.frame(vec![])));
+    assert_eq!(window.state().camera, rest);
+}
