@@ -76,11 +76,15 @@ fn the_date_line_and_the_map_border_at_84_degrees_do_not_show() {
     let mut world = World::open(DATA);
     let mut sample =
         |lat_deg: f64, lon_deg: f64| world.sample_blocking(lat_deg.to_radians(), lon_deg.to_radians()).unwrap();
-    for lat_deg in [-60.0, -17.0, 0.0, 52.0, 66.5] {
+    for lat_deg in [-60.0, -16.85, 0.0, 52.0, 68.97, 71.1] {
         let (west, east) = (sample(lat_deg, 180.0 - 1e-7), sample(lat_deg, -180.0 + 1e-7));
         assert_eq!(west.class, east.class);
-        // One centimetre apart: the steepest interpolated slope here is below 1 in 1.
-        assert!((west.elevation_m - east.elevation_m).abs() < 0.1, "{lat_deg}: {west:?} {east:?}");
+        // One centimetre apart, but perhaps in tiles of two levels: heights are rounded to 32 m, each within 16 m, and the
+        // coarser texels smooth a little.
+        assert!((west.elevation_m - east.elevation_m).abs() < 40.0, "{lat_deg}: {west:?} {east:?}");
+        // The same for distances, which are stored in sixteenths of a texel, 38 m at level 7 on the equator.
+        let (d_west, d_east) = (west.shore_distance_m.unwrap(), east.shore_distance_m.unwrap());
+        assert!((d_west - d_east).abs() < 20.0 + 0.02 * d_west.abs(), "{lat_deg}: {west:?} {east:?}");
     }
     for lon_deg in [-170.0, -90.0, -40.0, 30.0, 120.0] {
         for lat_deg in [84.0, -84.0] {

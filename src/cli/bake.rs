@@ -62,10 +62,10 @@ pub struct BakeArgs {
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=6))]
     pub polar_zoom: u8,
     /// From this level on, a deeper water tile is made only where it puts enough ground right
-    #[arg(long, default_value_t = 4)]
+    #[arg(long, default_value_t = 5)]
     pub sparse_zoom: u8,
     /// The ground, km², that a deeper water tile must put right: one value per level from --sparse-zoom on
-    #[arg(long, value_delimiter = ',', default_value = "12,4,1.5")]
+    #[arg(long, value_delimiter = ',', default_value = "4,1.5")]
     pub worth_km2: Vec<f64>,
     /// Credit for the elevation, shown on screen
     #[arg(long, default_value = "")]
