@@ -5,5 +5,9 @@ fn main() -> std::process::ExitCode {
     ocean_globe::cli::main()
 }
 
+// Without this the linker would leave out the library, and the page would find nothing to call.
+#[cfg(target_arch = "wasm32")]
+use ocean_globe as _;
+
 #[cfg(target_arch = "wasm32")]
 fn main() {}
