@@ -133,7 +133,11 @@ fn converse(mut stream: TcpStream, site: &Site) -> io::Result<()> {
             Ok(Some(request)) => request,
             Ok(None) => return Ok(()),
             Err(error) if error.kind() == io::ErrorKind::InvalidData => {
-                return Answer::new("400 Bad Request").text("Not an HTTP/1.1 request\n").send(&mut stream, false, false);
+                return Answer::new("400 Bad Request").text("Not an HTTP/1.1 request\n").send(
+                    &mut stream,
+                    false,
+                    false,
+                );
             }
             Err(error) => return Err(error),
         };

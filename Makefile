@@ -1,0 +1,24 @@
+# The program and its page. `make run` and `make test` need nothing installed but Rust (rustup) and Node with npm.
+
+.PHONY: run build test bench bake fmt lint
+
+run:    ## sets up, builds and serves the page on http://127.0.0.1:8080 (PORT=9000 make run: on another port)
+	@scripts/run.sh
+
+build:  ## builds the page into dist/ and the native program, if anything has changed
+	@scripts/build.sh
+
+test:   ## sets up and runs every test: native, headless GPU, browser
+	@scripts/test.sh
+
+bench:  ## measures
+	@cargo bench
+
+bake:   ## makes the bundled world anew from its public sources
+	@scripts/make-world.sh
+
+fmt:    ## formats the code
+	@cargo fmt
+
+lint:   ## what a reviewer would say first
+	@scripts/lint.sh
