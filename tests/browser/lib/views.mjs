@@ -1,0 +1,10 @@
+// Links that stand still: a fixed time, so that a picture is the same at every visit.
+
+const STILL = "&time=2026-06-21T12:30:00Z&rate=0&seed=7";
+
+/** Europe and North Africa from 3,000 km: half sea, half land, at noon. */
+export const FROM_ORBIT = `#view=38,-2,3000000&wind=8@250${STILL}`;
+/** The coast of Portugal from 30 km: the sea in the west, land in the east. */
+export const COAST = `#view=38.7,-9.45,30000&wind=8@250${STILL}`;
+/** Open Atlantic, 12 m above the water, looking west over the waves. */
+export const AT_SEA = `#view=35,-30,12,270,80&wind=14@250${STILL}`;
