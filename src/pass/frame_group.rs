@@ -29,7 +29,9 @@ impl FrameGroup {
             Bind::Storage,
             Bind::Storage,
         ];
-        let layout = gpu.layout("frame", wgpu::ShaderStages::all(), &binds);
+        // Not all(): it holds stages that browsers do not know, and they refuse the whole layout.
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
+        let layout = gpu.layout("frame", stages, &binds);
         let uniform = gpu.empty_buffer("frame", B::UNIFORM | B::COPY_DST, size_of::<FrameUniform>() as u64);
         let nodes = gpu.empty_buffer("nodes", B::UNIFORM | B::COPY_DST, (size_of::<WaveNode>() * MAX_NODES) as u64);
         let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
