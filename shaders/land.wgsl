@@ -54,7 +54,7 @@ fn natural_colour(elevation: Metres, slope: f32, sin_lat: f32, at: vec2u) -> vec
     let latitude = degrees(asin(clamp(abs(sin_lat), 0.0, 1.0))) + (patchy - 0.5) * 9.0;
     let forest = vec3f(0.034, 0.060, 0.020);
     let grass = vec3f(0.105, 0.115, 0.045);
-    let desert = vec3f(0.36, 0.26, 0.155);
+    let desert = vec3f(0.40, 0.275, 0.145);
     let tundra = vec3f(0.105, 0.095, 0.065);
     let rock = vec3f(0.13, 0.115, 0.10);
     let snow = vec3f(0.80, 0.83, 0.87);

@@ -1,4 +1,5 @@
-// The sea: a grid even on the screen, cast onto the ellipsoid from above the highest crest, moved by the waves along the
+// The sea: a grid even on the screen, cast onto the ellipsoid from the eye, or, where crests may stand higher than the eye,
+// from a projector raised above the highest; moved by the waves along the
 // ellipsoid's normal, shaded over what the land pass left. The water class decides what is sea, never the depth buffer.
 #import world
 #import waves
@@ -15,35 +16,59 @@ struct Vertex {
     @location(2) height: f32,
 }
 
-// Grid coordinate in [-1, 1] to device coordinate: the inner part is even on the screen, the rim reaches out to the margin.
-fn stretched(x: f32) -> f32 {
-    let inner = 0.86;
-    let reach = frame.projector_margin;
-    if abs(x) <= inner { return x / inner * 1.02; }
-    let rim = (abs(x) - inner) / (1.0 - inner);
-    return sign(x) * 1.02 * pow(max(reach / 1.02, 1.0), rim);
-}
-
 // Whether the waves at a distance are smaller than a quarter of a pixel, so that the ellipsoid is the surface.
 fn waves_are_pixels(distance: Metres) -> bool {
     return distance * frame.pixel_angle > 4.0 * frame.crest_height;
 }
 
-@vertex
-fn vertex(@location(0) grid: vec2f) -> Vertex {
-    let device = vec2f(stretched(grid.x), stretched(grid.y));
+// The ellipsoid's point under a device coordinate, cast from the projector; see the head of this file.
+fn projected(device: vec2f) -> vec3f {
     let direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
-    var t = surface_hit(ray);
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
-    var rest = direction * t + rise;
-    if t < 0.0 {
-        // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is. Near,
-        // the point of the ellipsoid under it, for the waves to rise from.
-        t = max(-ray.b / ray.a, 0.0);
-        rest = direction * t + rise;
-        if !waves_are_pixels(t) { rest -= (normal_delta(rest) + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t); }
+    var t = surface_hit(ray);
+    if t >= 0.0 { return direction * t + rise; }
+    // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is. Near, the
+    // point of the ellipsoid under it, for the waves to rise from.
+    t = max(-ray.b / ray.a, 0.0);
+    let rest = direction * t + rise;
+    if waves_are_pixels(t) { return rest; }
+    return rest - (normal_delta(rest) + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t);
+}
+
+const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
+const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
+const NEAREST: Metres = 0.7;
+
+// Rest position of a grid vertex. Among high waves the chop moves water into the screen from beside and behind the eye, so
+// the grid's rims run on from the screen's edges: up and sideways, and below the eye to behind it, denser towards the eye.
+fn rest_position(grid: vec2f) -> vec3f {
+    let reach = frame.rim_reach;
+    let low_rim = select(0.02, 0.35, reach > 0.0);
+    let y = 0.5 * (grid.y + 1.0);
+    let below = clamp(1.0 - y / low_rim, 0.0, 1.0);
+    let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
+    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim, 0.0) / (1.0 - low_rim)));
+    let rest = projected(device);
+    if reach == 0.0 { return rest; }
+    let right = normalize(frame.ray_right.xy);
+    let ahead = vec2f(-right.y, right.x);
+    let above = clamp((y - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
+    let moved = rest + vec3f((right * beside + ahead * above) * reach, 0.0);
+    if below == 0.0 { return moved; }
+    let from_distance = dot(rest.xy, ahead);
+    var distance = from_distance - below * reach;
+    if from_distance > NEAREST {
+        let nearing = min(below / 0.8, 1.0);
+        distance = from_distance * pow(NEAREST / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
     }
+    let aside = dot(rest.xy, right) * clamp(distance / max(from_distance, NEAREST), 0.02, 1.0) + reach * (beside + grid.x * below);
+    return vec3f(ahead * distance + right * aside, -frame.eye_altitude);
+}
+
+@vertex
+fn vertex(@location(0) grid: vec2f) -> Vertex {
+    let rest = rest_position(grid);
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     let distance = length(rest);
     let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));

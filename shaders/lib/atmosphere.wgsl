@@ -3,8 +3,8 @@
 #import ellipsoid
 
 const RAYLEIGH = vec3f(5.802e-6, 13.558e-6, 33.1e-6);    // per metre at sea level
-const MIE = 3.996e-6;
-const MIE_EXTINCTION = 4.44e-6;
+const MIE = 2.7e-6;                                      // clear maritime air, visibility about 80 km
+const MIE_EXTINCTION = 3.0e-6;
 const OZONE = vec3f(0.65e-6, 1.881e-6, 0.085e-6);
 const OZONE_THICKNESS: Metres = 15000.0;
 const OZONE_HEIGHT: Metres = 25000.0;
@@ -76,8 +76,8 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
         let density_m = exp(-h / MIE_HEIGHT);
         let density_o = max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
         let extinction = RAYLEIGH * density_r + vec3f(MIE_EXTINCTION * density_m) + OZONE * density_o;
-        // Second order: light that the whole sky and the sea send back, roughly isotropic.
-        let ambient = 0.05 * smoothstep(-0.15, 0.4, mu_sun) * vec3f(0.75, 0.9, 1.1);
+        // Higher orders, roughly isotropic: a third of the first overhead, and most of the light at the end of long paths.
+        let ambient = (vec3f(0.02) + 0.06 * (vec3f(1.0) - exp(-optical))) * smoothstep(-0.15, 0.4, mu_sun);
         let lit = sunlight(h, mu_sun);
         let source = RAYLEIGH * density_r * (pr * lit + ambient) + MIE * density_m * (pm * lit + ambient);
         let step_optical = extinction * dt;

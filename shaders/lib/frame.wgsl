@@ -22,7 +22,7 @@ struct Frame {
     quadric_gradient: vec3f,
     projector_constant: Metres,
     projector_gradient: vec3f,
-    projector_margin: f32,     // how far the grid reaches beyond the screen, in device units
+    rim_reach: Metres,         // how far the chop may bring water into the screen; 0 where that is less than pixels
     // Geodetic trigonometry of the eye's foot.
     sin_lat: f32,
     cos_lat: f32,

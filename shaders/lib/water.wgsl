@@ -3,7 +3,7 @@
 #import brdf
 
 // Share of irradiance that deep clear sea water sends back up (blue water; C. Mobley 1994, ch. 3).
-const DEEP_REFLECTANCE = vec3f(0.0035, 0.017, 0.043);
+const DEEP_REFLECTANCE = vec3f(0.0035, 0.018, 0.040);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
 const FOAM_ALBEDO = 0.45;       // of fresh whitecaps (P. Koepke 1984)

@@ -74,7 +74,7 @@ pub struct FrameUniform {
     pub quadric_gradient: Vec3,
     pub projector_constant: f32,
     pub projector_gradient: Vec3,
-    pub projector_margin: f32,
+    pub rim_reach: f32,
     pub sin_lat: f32,
     pub cos_lat: f32,
     pub foot_nu: f32,
@@ -149,7 +149,7 @@ impl Frame {
         let sea = SeaTables::of(settings);
         let mut uniform = FrameUniform::default();
         set_view(&mut uniform, camera, size);
-        set_earth(&mut uniform, camera, sea.sea.hs_m);
+        set_earth(&mut uniform, camera, sea.sea.hs_m, sea.sea.chop);
         set_map(&mut uniform, camera);
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
@@ -186,7 +186,7 @@ fn set_view(u: &mut FrameUniform, camera: &Camera, size: [u32; 2]) {
 }
 
 /// The ellipsoid as the quadric C + 2 g·P + P'QP about the eye, scaled to metres (F ≈ height near the surface).
-fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64) {
+fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     let (a, b) = (WGS84.a, WGS84.b);
     let enu = earth::ecef_from_enu(camera.lat, camera.lon);
     let scale = 0.5 * a;
@@ -210,8 +210,8 @@ fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64) {
     u.projector_rise = rise as f32;
     u.projector_constant = constant_at(h + rise) as f32;
     u.projector_gradient = gradient_at(h + rise).as_vec3();
-    // A low eye needs surface that lies below and beside the screen; how far depends on waves over altitude.
-    u.projector_margin = (1.1 + 8.0 * (3.0 * crest / h.abs().max(0.5)).min(1.5)) as f32;
+    // Horizontal displacements are about as large as crests are high, times λ.
+    u.rim_reach = if h < 40.0 * crest { (2.0 * crest * chop.max(0.5)) as f32 } else { 0.0 };
     u.crest_height = crest.max(0.05) as f32;
     u.sin_lat = sin as f32;
     u.cos_lat = cos as f32;
