@@ -101,26 +101,32 @@ impl Panel {
         }
         let mut action = None;
         let height = context.content_rect().height() - 16.0;
-        egui::Area::new(egui::Id::unique("panel")).anchor(Align2::RIGHT_TOP, vec2(-6.0, 6.0)).show(context, |ui| {
-            let frame = egui::Frame::window(ui.style()).inner_margin(6).shadow(egui::Shadow::NONE);
-            frame.fill(ui.visuals().window_fill.gamma_multiply(0.9)).show(ui, |ui| {
-                ui.set_width(if self.open { WIDTH } else { 86.0 });
-                ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
-                action = self.header(ui, status);
-                progress(ui, status);
-                if self.open {
-                    let scroll = ScrollArea::vertical().max_height(height - 40.0).auto_shrink([false, true]);
-                    scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status.now_s)));
-                }
-            });
-        });
+        egui::Area::new(egui::Id::unique("panel")).anchor(Align2::RIGHT_TOP, vec2(-6.0, 6.0)).fade_in(false).show(
+            context,
+            |ui| {
+                let frame = egui::Frame::window(ui.style()).inner_margin(6).shadow(egui::Shadow::NONE);
+                frame.fill(ui.visuals().window_fill.gamma_multiply(0.9)).show(ui, |ui| {
+                    ui.set_width(if self.open { WIDTH } else { 86.0 });
+                    ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
+                    action = self.header(ui, status);
+                    progress(ui, status);
+                    if self.open {
+                        let scroll = ScrollArea::vertical()
+                            .max_height(height - 40.0)
+                            .min_scrolled_height(height - 40.0)
+                            .auto_shrink([false, true]);
+                        scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status.now_s)));
+                    }
+                });
+            },
+        );
         action
     }
 
     fn header(&mut self, ui: &mut Ui, status: &Status<'_>) -> Option<Action> {
         let mut action = None;
         ui.horizontal(|ui| {
-            let fold = ui.button(if self.open { "⏷ Ocean" } else { "⏵ Ocean" });
+            let fold = ui.button(if self.open { "− Ocean" } else { "+ Ocean" });
             let fold = fold.on_hover_text("Fold the panel. The key H hides it.");
             self.widgets.note("fold", &fold);
             self.open ^= fold.clicked();
@@ -149,7 +155,8 @@ impl Panel {
         ui.separator();
         self.time.show(ui, state, now_s, &mut self.widgets);
         ui.separator();
-        egui::CollapsingHeader::new("Sea and layers").show(ui, |ui| self.sea(ui, &mut state.settings));
+        let more = egui::CollapsingHeader::new("Sea and layers").show(ui, |ui| self.sea(ui, &mut state.settings));
+        self.widgets.note("more", &more.header_response);
         action
     }
 

@@ -214,9 +214,19 @@ fn the_panel_fits_a_small_window_and_its_widgets_work() {
     let odd = "view=35.6812,-14.25,560,186,78&wind=12.345@250&bft=8&chop=0.123&time=2026-11-20T23:59:59.9Z&rate=0";
     let mut window = Window::open(odd, true, [640, 360]);
     let screen = Rect::from_min_size(Pos2::ZERO, vec2(640.0, 360.0));
-    for name in
-        ["fold", "copyLink", "windDial", "windSpeed", "beaufort", "viewGlobe", "viewHurricane", "time", "pause", "now"]
-    {
+    for name in [
+        "fold",
+        "copyLink",
+        "windDial",
+        "windSpeed",
+        "beaufort",
+        "viewGlobe",
+        "viewHurricane",
+        "time",
+        "pause",
+        "now",
+        "more",
+    ] {
         let rect = window.widget(name).unwrap_or_else(|| panic!("no widget {name}"));
         assert!(screen.contains_rect(rect) && rect.is_positive(), "{name} at {rect}");
     }

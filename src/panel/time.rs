@@ -40,7 +40,8 @@ impl Editor {
         });
         ui.horizontal(|ui| {
             let paused = state.rate == 0.0;
-            let pause = ui.button(if paused { "▶" } else { "⏸" }).on_hover_text("Pause, run (space)");
+            let pause =
+                ui.button(if paused { "run" } else { "pause" }).on_hover_text("Stops the time or lets it run (space)");
             widgets.note("pause", &pause);
             if !paused {
                 self.rate = state.rate;
@@ -56,7 +57,7 @@ impl Editor {
             let rate = ui.add(rate).on_hover_text("Seconds of the scene per second");
             widgets.note("rate", &rate);
             let mut hour = at_s.rem_euclid(DAY_S) / 3600.0;
-            ui.spacing_mut().slider_width = 82.0;
+            ui.spacing_mut().slider_width = 66.0;
             let slider = Slider::new(&mut hour, 0.0..=24.0).show_value(false);
             let slider = ui.add(slider).on_hover_text("Hour of the day, UTC");
             widgets.note("hour", &slider);

@@ -18,14 +18,14 @@ pub const VIEWS: [View; 8] = [
     View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&time=2026-11-20T14:20:00Z" },
     View { id: "ocean", title: "3,000 km", fragment: "view=26,-21,3000000,180,18&time=2026-11-20T13:00:00Z" },
     View { id: "islands", title: "30 km", fragment: "view=29.25,-13.78,30000,184,56&time=2026-11-20T12:30:00Z" },
-    View { id: "coast", title: "coast, 560 m", fragment: "view=28.868,-13.803,560,196,70&time=2026-11-20T13:00:00Z" },
-    View { id: "calm", title: "calm", fragment: "view=35.6812,-14.25,2,186,84&ride=1&bft=1&time=2026-11-20T12:00:00Z" },
-    View { id: "breeze", title: "breeze", fragment: "view=35.6812,-14.25,2,186,84&ride=1&bft=4&time=2026-11-20T12:00:00Z" },
-    View { id: "gale", title: "gale", fragment: "view=35.6812,-14.25,2,186,84&ride=1&bft=8&time=2026-11-20T12:00:00Z" },
+    View { id: "coast", title: "coast, 560 m", fragment: "view=28.8545,-13.792,560,253,71&time=2026-11-20T15:00:00Z" },
+    View { id: "calm", title: "calm", fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&time=2026-11-20T12:00:00Z" },
+    View { id: "breeze", title: "breeze", fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&time=2026-11-20T12:00:00Z" },
+    View { id: "gale", title: "gale", fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=8&time=2026-11-20T12:00:00Z" },
     View {
         id: "hurricane",
         title: "hurricane",
-        fragment: "view=35.6812,-14.25,2,186,84&ride=1&bft=12&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=12&time=2026-11-20T12:00:00Z",
     },
 ];
 
