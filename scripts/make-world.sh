@@ -46,8 +46,9 @@ for south in $(seq -90 10 80); do
     fail "gmt grdlandmask failed for $south to $north degrees" 'see its message above; is the disk full?'
 done
 
-# ETOPO5's heights lie half a cell west of where they belong: moved 0.04 degrees east, the fewest of its nodes (between 40 S
-# and 60 N) disagree with the mask about land and sea (5,378 of 634,000 there; 7,685 at -0.1, 6,336 at 0.167).
+# ETOPO5's heights lie half a cell west of their coordinates. Of 635,000 nodes between 40 S and 60 N, this many disagree with
+# the mask about land and sea when moved east by so many degrees: -0.05: 6,582; 0: 5,370; 0.04: 5,378; 0.083: 5,380; 0.125:
+# 5,862; 0.167: 6,336. The middle of that valley is taken; the Dead Sea and Death Valley then lie where they are.
 # ---- The tiles ------------------------------------------------------------------------------------------------------
 nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" -o "$OUTPUT" \
   --elevation "$ELEVATION" --elevation-east-deg 0.04 \

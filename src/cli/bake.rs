@@ -188,7 +188,7 @@ fn axes(file: &mut NetCdf, variable: &Variable) -> Result<(Axis, Axis)> {
         if step.is_finite() && step != 0.0 && even { Ok(Axis { first: *first, step, count }) } else { Err(bad()) }
     };
     let (lat, lon) = (axis(0)?, axis(1)?);
-    if lon.step < 0.0 || !(lat.first.abs() <= 90.0 + 1e-6) {
+    if lon.step < 0.0 || lat.first.abs() > 90.0 + 1e-6 {
         return Err(Error::bad_data(
             file.name(),
             "is not ordered by latitude, then by growing longitude",

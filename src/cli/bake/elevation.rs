@@ -26,6 +26,8 @@ const AGREEING_M: f32 = 200.0;
 const CONTINUED: usize = 4;
 /// Kilometres of one degree along a meridian or the equator, about.
 const KM_PER_DEG: f64 = 111.3;
+/// No ground is higher, no bed deeper, metres.
+const HIGHEST_M: f64 = 12_000.0;
 /// The largest grid accepted, nodes (1 GiB of metres).
 const MAX_NODES: u64 = 1 << 28;
 
@@ -75,7 +77,7 @@ impl Elevation {
         let mut ground = vec![0.0; width * height];
         for row in 0..height {
             let values = file.read_row(&variable, &[row as u64, 0], width as u64)?;
-            if let Some(column) = values.iter().position(|v| !(v.abs() < 12_000.0)) {
+            if let Some(column) = values.iter().position(|v| v.is_nan() || v.abs() > HIGHEST_M) {
                 return Err(bad(format!("has the elevation {} at row {row}, column {column}", values[column])));
             }
             let to = if lat.step > 0.0 { row } else { height - 1 - row };

@@ -111,7 +111,7 @@ fn detail_m(metres: &[f32]) -> f64 {
     for (at, fine) in metres.iter().enumerate() {
         let (column, row) = (at % TILE_TEXELS, at / TILE_TEXELS);
         // A fine texel's centre lies a quarter of the way from its coarse one to the next on its side.
-        let beside = |k: usize| if k % 2 == 0 { (k / 2).saturating_sub(1) } else { k / 2 + 1 };
+        let beside = |k: usize| if k.is_multiple_of(2) { (k / 2).saturating_sub(1) } else { k / 2 + 1 };
         let (i, j, i2, j2) = (column / 2, row / 2, beside(column), beside(row));
         let along = |j| 0.75 * coarse(i, j) + 0.25 * coarse(i2, j);
         sum += f64::from((fine - (0.75 * along(j) + 0.25 * along(j2))).abs());
