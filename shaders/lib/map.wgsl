@@ -1,5 +1,6 @@
 // From places to map squares and back, in fixed point relative to the eye: 9 mm steps, no cancellation.
 #import ellipsoid
+#import trigonometry
 
 const MERCATOR = 0u;
 const NORTH = 1u;
@@ -56,7 +57,7 @@ fn map_point(dn: vec3f) -> MapPoint {
     let d = meridian_from_local(dn);
     let square = square_of(frame.sin_lat + d.z);
     if square == MERCATOR {
-        let dlon = atan2(d.y, frame.cos_lat + d.x);
+        let dlon = angle_of(d.y, frame.cos_lat + d.x);
         let ds = d.z + frame.mercator_sin_delta;
         let dpsi = inverse_tanh(clamp(ds / (1.0 - frame.mercator_sin * (frame.mercator_sin + ds)), -0.9999999, 0.9999999));
         return MapPoint(square, frame.mercator_fixed + vec2u(fixed_step(dlon / TURN), fixed_step(-dpsi / TURN)));
@@ -82,9 +83,9 @@ fn normal_delta_at(point: MapPoint) -> vec3f {
         let ds = t * (1.0 - s0 * s0) / (1.0 + s0 * t) - frame.mercator_sin_delta;
         let s = frame.sin_lat + ds;
         let c = sqrt(max(1.0 - s * s, 0.0));
-        let half_sin = sin(0.5 * dlon);
+        let half_sin = sine_cosine(0.5 * dlon).sine;
         let dc = -ds * (s + frame.sin_lat) / (c + frame.cos_lat);
-        return local_from_meridian(vec3f(dc - 2.0 * c * half_sin * half_sin, c * sin(dlon), ds));
+        return local_from_meridian(vec3f(dc - 2.0 * c * half_sin * half_sin, c * sine_cosine(dlon).sine, ds));
     }
     let north = point.square == NORTH;
     let side = select(-1.0, 1.0, north);

@@ -28,12 +28,12 @@ fn sky_output() -> vec4f { return vec4f(-1.0, -1.0, -1.0, 0.0); }
 fn lonlat_delta(p: vec3f) -> vec2f {
     let dn = normal_delta(p);
     let d = meridian_from_local(dn);
-    let dlon = atan2(d.y, frame.cos_lat + d.x);
+    let dlon = angle_of(d.y, frame.cos_lat + d.x);
     // Angle between two latitudes from the differences of their sines and cosines.
     let c = sqrt(max((frame.cos_lat + d.x) * (frame.cos_lat + d.x) + d.y * d.y, 0.0));
     let s = frame.sin_lat + d.z;
     let dc = -d.z * (s + frame.sin_lat) / max(c + frame.cos_lat, 1e-6);
-    let dlat = atan2(d.z * frame.cos_lat - dc * frame.sin_lat, c * frame.cos_lat + s * frame.sin_lat);
+    let dlat = angle_of(d.z * frame.cos_lat - dc * frame.sin_lat, c * frame.cos_lat + s * frame.sin_lat);
     return degrees(vec2f(dlon, dlat));
 }
 

@@ -49,7 +49,7 @@ fn texel(water: bool, square: u32, level: u32, index: vec2u) -> vec3f {
 // Bilinear, across tile borders too, at the level that is resident under the point.
 fn bilinear(water: bool, point: MapPoint, wanted: u32) -> vec4f {
     var level = min(wanted, PAGE_LEVELS - 1u);
-    level = min(page_at(water, point.square, level, point.at >> vec2u(32u - max(level, 1u)) >> vec2u(select(0u, 1u, level == 0u))).level, level);
+    level = min(page_at(water, point.square, level, (point.at >> vec2u(32u - max(level, 1u))) >> vec2u(select(0u, 1u, level == 0u))).level, level);
     let shift = 24u - level;
     let shifted = point.at - vec2u(1u << (shift - 1u));
     let f = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);

@@ -72,13 +72,15 @@ impl LayerName {
     }
 }
 
-/// A measured layer: `channels` floats per pixel, rows from the top.
+/// A measured layer: `channels` numbers per pixel, rows from the top.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// Rows, columns, channels.
     pub shape: [usize; 3],
-    /// The values.
-    pub values: Vec<f32>,
+    /// The values; all but lonlat come from 32-bit floats.
+    pub values: Vec<f64>,
+    /// Whether 32 bits would lose something: degrees need more.
+    pub double: bool,
 }
 
 /// Longest side of a picture.
@@ -165,24 +167,27 @@ pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer
         return Err(Error::gpu("nothing was drawn", "report this"));
     };
     let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
-    let texels = bytes.chunks_exact(16).map(|t| -> [f32; 4] { bytemuck::pod_read_unaligned(t) });
-    let (channels, values): (usize, Vec<f32>) = match layer {
+    let texels = bytes.chunks_exact(16).map(|t| bytemuck::pod_read_unaligned::<[f32; 4]>(t).map(f64::from));
+    let sky = |t: &[f64; 4]| t[3] == 0.0;
+    let (channels, values): (usize, Vec<f64>) = match layer {
         LayerName::Luminance => {
-            let exposure = frame.uniform.exposure;
+            let exposure = f64::from(frame.uniform.exposure);
             (1, texels.map(|t| (0.2126 * t[0] + 0.7152 * t[1] + 0.0722 * t[2]) / exposure).collect())
         }
         LayerName::Lonlat => {
+            // The GPU gives differences from the eye's foot, which 32 bits hold; the sum needs 64.
             let (lon, lat) = (frame.camera.lon.to_degrees(), frame.camera.lat.to_degrees());
             let wrapped = |x: f64| (x + 180.0).rem_euclid(360.0) - 180.0;
-            let absolute = |t: [f32; 4]| {
-                if t[3] == 0.0 { [f32::NAN; 2] } else { [wrapped(lon + f64::from(t[0])) as f32, (lat + f64::from(t[1])) as f32] }
-            };
+            let absolute = |t: [f64; 4]| if sky(&t) { [f64::NAN; 2] } else { [wrapped(lon + t[0]), lat + t[1]] };
             (2, texels.flat_map(absolute).collect())
         }
-        LayerName::Normal => (3, texels.flat_map(|t| if t[3] == 0.0 { [f32::NAN; 3] } else { [t[0], t[1], t[2]] }).collect()),
-        _ => (1, texels.map(|t| if t[3] == 0.0 { f32::NAN } else { t[0] }).collect()),
+        LayerName::Normal => {
+            (3, texels.flat_map(|t| if sky(&t) { [f64::NAN; 3] } else { [t[0], t[1], t[2]] }).collect())
+        }
+        _ => (1, texels.map(|t| if sky(&t) { f64::NAN } else { t[0] }).collect()),
     };
-    Ok(Measured { shape: [size[1] as usize, size[0] as usize, channels], values })
+    let shape = [size[1] as usize, size[0] as usize, channels];
+    Ok(Measured { shape, values, double: layer == LayerName::Lonlat })
 }
 
 /// An 8-bit RGBA PNG.
@@ -200,14 +205,15 @@ pub fn write_png(path: &std::path::Path, size: [u32; 2], rgba: &[u8]) -> Result<
     std::fs::write(path, bytes).map_err(|e| Error::io(name, e, "choose another place with -o"))
 }
 
-/// A NumPy file (format 1.0) of little-endian 32-bit floats in C order.
+/// A NumPy file (format 1.0) of little-endian floats in C order, of 32 bits, or 64 where the layer needs them.
 ///
 /// # Errors
 /// [`Error::Io`] when it cannot be written.
 pub fn write_npy(path: &std::path::Path, measured: &Measured) -> Result<()> {
     let [rows, columns, channels] = measured.shape;
     let shape = if channels == 1 { format!("({rows}, {columns})") } else { format!("({rows}, {columns}, {channels})") };
-    let mut header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': {shape}, }}");
+    let kind = if measured.double { "<f8" } else { "<f4" };
+    let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
     // Magic, version and length take 10 bytes; the whole header ends with a line feed on a multiple of 64.
     while (10 + header.len() + 1) % 64 != 0 {
         header.push(' ');
@@ -216,7 +222,11 @@ pub fn write_npy(path: &std::path::Path, measured: &Measured) -> Result<()> {
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
     bytes.extend((header.len() as u16).to_le_bytes());
     bytes.extend(header.as_bytes());
-    bytes.extend(measured.values.iter().flat_map(|v| v.to_le_bytes()));
+    if measured.double {
+        bytes.extend(measured.values.iter().flat_map(|v| v.to_le_bytes()));
+    } else {
+        bytes.extend(measured.values.iter().flat_map(|&v| (v as f32).to_le_bytes()));
+    }
     std::fs::write(path, bytes).map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))
 }
 

@@ -13,6 +13,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("noise", include_str!("../../shaders/lib/noise.wgsl")),
     ("output", include_str!("../../shaders/lib/output.wgsl")),
     ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
+    ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),
     ("water", include_str!("../../shaders/lib/water.wgsl")),
     ("waves", include_str!("../../shaders/lib/waves.wgsl")),
     ("world", include_str!("../../shaders/lib/world.wgsl")),
