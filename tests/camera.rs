@@ -170,6 +170,10 @@ fn the_wheel_alone_leads_from_orbit_to_the_deck_and_back() {
         assert!(steps < 300, "stuck at {camera:?}");
     }
     assert!((camera.tilt.to_degrees() - 78.0).abs() < 1e-6, "the deck looks ahead: {camera:?}");
+    // Who looks ahead already is not tilted past the deck's view on the way down.
+    let ahead = Camera { altitude_m: 6000.0, tilt: 1.2, ..camera };
+    let ahead = navigate::zoom(&ahead, 0.004, SIZE / 2.0, SIZE, 0.0);
+    assert!((ahead.tilt.to_degrees() - 78.0).abs() < 1e-6, "{ahead:?}");
     for _ in 0..400 {
         camera = navigate::zoom(&camera, 1.1, SIZE / 2.0, SIZE, 0.0);
     }
@@ -185,6 +189,9 @@ fn the_eye_never_goes_below_the_ground() {
         assert!(camera.altitude_m >= 2501.0 - 1e-9, "{camera:?}");
     }
     assert!((camera.altitude_m - 2501.0).abs() < 1e-6, "{camera:?}");
+    // A hill that comes in below the eye lifts it.
+    hand.step(&mut camera, Keys::default(), SIZE, 3000.0, 0.02);
+    assert_eq!(camera.altitude_m, 3001.0);
     let lifted = navigate::above_ground(&Camera { altitude_m: -50.0, ..camera }, -430.0);
     assert_eq!(lifted.altitude_m, -50.0, "a dry valley below the sea's level may be entered");
 }
@@ -288,7 +295,7 @@ fn a_flight_starts_and_ends_at_its_views_and_is_smooth_between() {
 
 #[test]
 fn angles_wrap_into_their_ranges_whatever_they_are() {
-    for angle in [0.0, -1e-300, 1e-300, PI, -PI, 7.0, -7.0, 1e9, -1e9, -f64::EPSILON, 2.0 * PI] {
+    for angle in [(-PI).next_down(), 0.0, -1e-300, 1e-300, PI, -PI, 7.0, -7.0, 1e9, -1e9, -f64::EPSILON, 2.0 * PI] {
         assert!((-PI..PI).contains(&wrap_signed(angle)), "{angle}");
         assert!((0.0..2.0 * PI).contains(&wrap_positive(angle)), "{angle}");
     }

@@ -29,9 +29,9 @@ impl Flight {
         let ups = [from, to].map(|camera| earth::normal(camera.lat, camera.lon));
         let ground_m = ups[0].angle_between(ups[1]) * earth::WGS84.a;
         let [low, high] = [from, to].map(|camera| camera.altitude_m.max(1.0).ln());
-        // High enough that both ends would be seen together.
-        let rise = ((ground_m * 0.5).max(1.0).ln() - low.max(high)).max(0.0) + (low.max(high) - (low + high) / 2.0);
-        let rise = if ground_m * 0.5 > low.max(high).exp() { rise } else { 0.0 };
+        // High enough that both ends are seen together; no arc where one end already is.
+        let peak = (ground_m * 0.5).max(1.0).ln();
+        let rise = if peak > low.max(high) { peak - (low + high) / 2.0 } else { 0.0 };
         let climb = (high - low).abs() + 2.0 * rise;
         let mut flight =
             Self { from, to, rise, way: [0.0; SAMPLES + 1], duration_s: (1.5 + 0.3 * climb).clamp(2.0, 7.0) };
