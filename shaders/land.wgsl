@@ -49,12 +49,25 @@ fn vertex(in: Tile) -> Vertex {
 // Whether a pixel is wide enough to see that triangles are flat.
 fn spacing_matters(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
 
-fn natural_colour(elevation: Metres, slope: f32, sin_lat: f32, at: vec2u) -> vec3f {
-    let patchy = map_noise(at, 7u, 1u) * 0.4 + map_noise(at, 9u, 2u) * 0.3 + map_noise(at, 11u, 3u) * 0.2 + map_noise(at, 15u, 4u) * 0.1;
+// Patchiness, about 0…1: octaves from 300 km down to what pixels hold.
+fn patchiness(at: vec2u, footprint: Metres) -> f32 {
+    var sum = 0.5;
+    var amplitude = 0.36;
+    for (var level = 7u; level < 23u; level += 2u) {
+        let cell = EARTH_TURN / exp2(f32(level));
+        let shown = 1.0 - smoothstep(0.25, 0.7, footprint / cell);
+        if shown <= 0.0 { break; }
+        sum += amplitude * shown * (map_noise(at, level, level) - 0.5);
+        amplitude *= 0.72;
+    }
+    return sum;
+}
+
+fn natural_colour(elevation: Metres, slope: f32, sin_lat: f32, patchy: f32) -> vec3f {
     let latitude = degrees(asin(clamp(abs(sin_lat), 0.0, 1.0))) + (patchy - 0.5) * 9.0;
     let forest = vec3f(0.034, 0.060, 0.020);
     let grass = vec3f(0.105, 0.115, 0.045);
-    let desert = vec3f(0.40, 0.275, 0.145);
+    let desert = mix(vec3f(0.30, 0.20, 0.105), vec3f(0.44, 0.31, 0.17), patchy);
     let tundra = vec3f(0.105, 0.095, 0.065);
     let rock = vec3f(0.13, 0.115, 0.10);
     let snow = vec3f(0.80, 0.83, 0.87);
@@ -103,7 +116,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let mu_sun = dot(frame.sun, up);
     let sun = sun_irradiance_at(mu_sun) * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, mu_sun);
     let ambient = sky_irradiance_at(mu_sun) * (0.6 + 0.4 * dot(normal, up));
-    var albedo = natural_colour(ground.elevation, length(slope), sin_lat, point.at);
+    var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
     if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
     albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
         * select(1.0, 0.0, ground.is_ocean));

@@ -39,10 +39,15 @@ fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
     return min(level, widest);
 }
 
+// Metres of elevation, or signed distances to the ocean's and the lakes' shores in texels of `level`.
 fn texel(water: bool, square: u32, level: u32, index: vec2u) -> vec3f {
     let page = page_at(water, square, level, index >> vec2u(TILE_BITS));
     let at = (index >> vec2u(level - min(page.level, level))) & vec2u(TILE_TEXELS - 1u);
-    if water { return textureLoad(water_tiles, at, page.layer, 0).xyz; }
+    if water {
+        // Stored in sixteenths of a texel of the tile's own level.
+        let sixteenths = textureLoad(water_tiles, at, page.layer, 0).xyz * 255.0 - 128.0;
+        return sixteenths * (exp2(f32(level) - f32(page.level)) / 16.0);
+    }
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 
@@ -93,8 +98,7 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let level = level_for(point, footprint, cos_lat);
     let terrain = bilinear(false, point, level);
     let water = bilinear(true, point, level);
-    let unit = texel_metres(point, water.w, sin_lat) / 16.0;
-    let shores = (water.xy * 255.0 - 128.0) * unit;
+    let shores = water.xy * texel_metres(point, water.w, sin_lat);
     return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0);
 }
