@@ -5,12 +5,11 @@ import { PNG } from "pngjs";
 /** A picture from PNG bytes: `width`, `height`, `data` (RGBA, rows from the top). */
 export const decode = (bytes) => PNG.sync.read(Buffer.from(bytes));
 
-/** What a pixel shows, by colour: dark space, sea (blue before red and green), land (red or green before blue), or else (ice, limb). */
+/** What a pixel shows, by colour: dark space, sea (clearly more blue than green), land (not so), or something between. */
 export function kindOf([r, g, b]) {
   if (r + g + b < 30) return "dark";
-  if (b > 1.12 * r && b >= 1.02 * g) return "sea";
-  if (Math.max(r, g) > 1.06 * b) return "land";
-  return "else";
+  if (b > 1.1 * g) return "sea";
+  return b <= 1.05 * g ? "land" : "between";
 }
 
 /** The colour at a place given as a share of width and height. */
@@ -21,7 +20,7 @@ export function colourAt({ width, height, data }, x, y) {
 
 /** Share of each kind of pixel, 0 to 1. */
 export function shares({ width, height, data }) {
-  const counts = { dark: 0, sea: 0, land: 0, else: 0 };
+  const counts = { dark: 0, sea: 0, land: 0, between: 0 };
   for (let at = 0; at < data.length; at += 4) counts[kindOf(data.subarray(at, at + 3))] += 1;
   for (const kind of Object.keys(counts)) counts[kind] /= width * height;
   return counts;

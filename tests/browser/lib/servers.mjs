@@ -3,15 +3,15 @@
 import { spawn } from "node:child_process";
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
-import { extname, join, normalize, sep } from "node:path";
+import { extname, join, normalize, resolve, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 
 /** Folder of the built page. */
-export const PAGE = join(ROOT, process.env.OCEAN_GLOBE_PAGE ?? "target/test-page");
+export const PAGE = resolve(ROOT, process.env.OCEAN_GLOBE_PAGE ?? "target/test-page");
 /** The native program. */
-export const PROGRAM = join(ROOT, process.env.OCEAN_GLOBE ?? "target/debug/ocean-globe");
+export const PROGRAM = resolve(ROOT, process.env.OCEAN_GLOBE ?? "target/debug/ocean-globe");
 
 /** `ocean-globe serve` on a free port: its address and how to end it. */
 export async function startProduct() {

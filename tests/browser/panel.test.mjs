@@ -1,0 +1,96 @@
+// The panel, by mouse and keyboard: the wind and the picture follow.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Globe, launch } from "./lib/browser.mjs";
+import { difference } from "./lib/picture.mjs";
+import { startProduct } from "./lib/servers.mjs";
+import { AT_SEA } from "./lib/views.mjs";
+
+let browser;
+let product;
+let globe;
+before(async () => {
+  product = await startProduct();
+  browser = await launch();
+  globe = await Globe.open(browser, product.address, { fragment: AT_SEA });
+  await globe.settled();
+});
+after(async () => {
+  await browser?.close();
+  product?.close();
+});
+
+/** The left half of the screen, which the panel leaves free. */
+async function sea() {
+  const { width, height, data } = await globe.picture();
+  const half = Buffer.concat(Array.from({ length: height }, (_, row) => data.subarray(4 * width * row, 4 * width * row + 2 * width)));
+  return { width: width / 2, height, data: half };
+}
+
+/** What a click at a part of a widget's width leads to. */
+async function click(name, part = 0.5) {
+  const { x, y, width } = await globe.widget(name);
+  await globe.settledAfter(() => globe.page.mouse.click(x + (part - 0.5) * width, y, { delay: 100 }));
+}
+
+/** The wind of the page's address, once it has become another one than `old`. */
+async function windAfter(old) {
+  for (let tries = 0; tries < 100; tries += 1) {
+    const { wind } = await globe.fragment();
+    if (wind !== old) return wind.split("@").map(Number);
+    await globe.page.waitForTimeout(50);
+  }
+  throw new Error(`the address keeps wind=${old}`);
+}
+
+test("the wind's speed changes the sea and the address", async () => {
+  const before = await sea();
+  await click("windSpeed", 0.3);
+  const [speed, from] = await windAfter("14@250");
+  assert.ok(speed > 20 && speed <= 60, `speed ${speed}`);
+  assert.equal(from, 250);
+  const { mean } = difference(before, await sea());
+  assert.ok(mean > 2, `the picture hardly changes: ${mean}`);
+});
+
+test("the dial turns the wind, and the waves with it", async () => {
+  const [before, { wind }] = [await sea(), await globe.fragment()];
+  await click("windDial", 0.9);
+  const [speed, from] = await windAfter(wind);
+  assert.equal(speed, Number(wind.split("@")[0]));
+  assert.ok(Math.abs(from - 90) < 10, `a click in the east of the dial gives wind from ${from}`);
+  const { mean } = difference(before, await sea());
+  assert.ok(mean > 2, `the picture hardly changes: ${mean}`);
+});
+
+test("a named view is an entry of the history", async () => {
+  const { view } = await globe.fragment();
+  const entries = await globe.page.evaluate(() => history.length);
+  await click("viewOcean");
+  assert.equal(await globe.page.evaluate(() => history.length), entries + 1);
+  await globe.settledAfter(() => globe.page.goBack());
+  assert.equal((await globe.fragment()).view, view);
+});
+
+test("the copied link is the address", async () => {
+  await globe.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  const { x, y } = await globe.widget("copyLink");
+  await globe.page.mouse.click(x, y, { delay: 100 });
+  await globe.page.waitForTimeout(1000);
+  const { hash, text } = await globe.page.evaluate(async () => ({ hash: location.hash, text: await navigator.clipboard.readText() }));
+  assert.equal(text, `${product.address}${hash}`);
+});
+
+test("H hides the panel, the keyboard moves the view", async () => {
+  const shown = await globe.picture();
+  await globe.page.locator("canvas").focus();
+  await globe.page.keyboard.press("h", { delay: 100 });
+  await globe.page.waitForFunction(() => document.getElementById("globe").dataset.widgets === "{}");
+  await globe.settled();
+  const hidden = await globe.picture();
+  assert.ok(difference(shown, hidden).mean > 1, "the panel is still there");
+  await globe.settledAfter(() => globe.page.keyboard.press("PageUp", { delay: 500 }));
+  assert.ok(difference(hidden, await globe.picture()).mean > 1, "the view has not moved");
+  assert.deepEqual(globe.errors(), []);
+});
