@@ -13,7 +13,7 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
 }
 
-const GRID: f32 = 64.0;
+const GRID: f32 = 32.0;
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
@@ -97,6 +97,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = distance * frame.pixel_angle / sqrt(max(abs(dot(to_eye, up)), 0.05));
     let ground = ground_at(point, sin_lat, footprint);
 
+    // A bed that shows through less than 1/250 of the water needs no light.
+    let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
+    if sea_covers && frame.output == PICTURE && water_alpha(-ground.elevation) > 0.996 { return vec4f(0.0, 0.0, 0.0, 1.0); }
+
     // Slopes over one texel of the terrain tile that is at hand, in metres per metre east and north.
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let level = level_for(point, footprint, cos_lat);
@@ -126,12 +130,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lake = water_radiance(WaterPoint(to_eye, up, up, 0.004, 1.0, 20.0, vec3f(0.0), 0.0));
         radiance = mix(radiance, lake, shore);
     }
-    let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
     if !sea_covers {
         // Far away the chords of the triangles lie noticeably below the ground: the ray's own way to its height counts.
         let shell = shell_hits(eye_ray(-to_eye), ground.elevation);
         let exact = select(distance, shell.x, shell.x > 0.0 && shell.y > shell.x && spacing_matters(distance));
-        let air = scatter_to(-to_eye, exact, 10u);
+        let air = scatter_to_surface(-to_eye, exact);
         radiance = radiance * air.transmittance + air.radiance;
     }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);

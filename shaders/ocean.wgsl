@@ -28,12 +28,13 @@ fn projected(device: vec2f) -> vec3f {
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var t = surface_hit(ray);
     if t >= 0.0 { return direction * t + rise; }
-    // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is. Near, the
-    // point of the ellipsoid under it, for the waves to rise from.
+    // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is.
     t = max(-ray.b / ray.a, 0.0);
-    let rest = direction * t + rise;
-    if waves_are_pixels(t) { return rest; }
-    return rest - (normal_delta(rest) + vec3f(0.0, 0.0, 1.0)) * height_along(ray, t);
+    if waves_are_pixels(t) { return direction * t + rise; }
+    // Near, the point of the horizon below the ray, so that no triangle spans the sea.
+    let tangent = sqrt(max(ray.c, 0.0) / ray.a);
+    let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
+    return tangent * vec3f(direction.xy / max(length(direction.xy), 1e-6), -dip) + rise;
 }
 
 const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
@@ -142,7 +143,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let foam = frame.foam * calmed * mix(near_foam, frame.whitecaps, smoothstep(1.5, 25.0, footprint));
     let water = water_radiance(WaterPoint(-direction, up, normal, max(slopes.unresolved, 1e-5), alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
-    let air = scatter_to(direction, distance, 10u);
+    let air = scatter_to_surface(direction, distance);
     let radiance = water * air.transmittance + air.radiance;
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
 }

@@ -55,13 +55,21 @@ fn height(texel: vec2i, size: vec2f) -> f32 {
     return sum;
 }
 
-@compute @workgroup_size(8, 8)
-fn octaves(@builtin(global_invocation_id) id: vec3u) {
+const SIDE = 16u;              // texels per side of a workgroup; heights reach one texel beyond
+const REACH = SIDE + 2u;
+
+var<workgroup> heights: array<f32, REACH * REACH>;
+
+@compute @workgroup_size(SIDE, SIDE)
+fn octaves(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_id) local: vec3u, @builtin(local_invocation_index) index: u32) {
     let size = vec2f(textureDimensions(output));
-    let at = vec2i(id.xy);
-    let h = height(at, size);
+    let corner = vec2i(group.xy * SIDE) - 1;
+    for (var i = index; i < REACH * REACH; i += SIDE * SIDE) {
+        heights[i] = height(corner + vec2i(vec2u(i % REACH, i / REACH)), size);
+    }
+    workgroupBarrier();
+    let here = (local.y + 1u) * REACH + local.x + 1u;
     let step = 2.0 * settings.patch_length / size.x;
-    let dx = (height(at + vec2i(1, 0), size) - height(at - vec2i(1, 0), size)) / step;
-    let dy = (height(at + vec2i(0, 1), size) - height(at - vec2i(0, 1), size)) / step;
-    textureStore(output, id.xy, vec4f(h, dx, dy, 0.0));
+    let slope = vec2f(heights[here + 1u] - heights[here - 1u], heights[here + REACH] - heights[here - REACH]) / step;
+    textureStore(output, group.xy * SIDE + local.xy, vec4f(heights[here], slope, 0.0));
 }

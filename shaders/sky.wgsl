@@ -14,6 +14,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Vertex {
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
+    // Below the deepest trough and the flattest triangle, land or sea covers the sky.
+    let covered = shell_hits(eye_ray(direction), -500.0);
+    if (frame.layers & 3u) == 3u && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }
     let scattered = scatter_to(direction, 1e9, 24u);
     // The disc, 0.267 degrees in radius, darkened towards its limb.
     let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;

@@ -25,30 +25,34 @@ fn named(id: &str) -> String {
 }
 
 #[test]
-fn the_mask_of_the_coast_view_is_the_water_class() {
+fn the_mask_of_the_coast_views_is_the_water_class() {
     let (mut renderer, mut world) = (measuring(), World::open(DATA));
-    let size = [160, 90];
-    let coast = named("coast");
-    let mask = measured(&mut renderer, &coast, size, LayerName::Mask);
-    let lonlat = measured(&mut renderer, &coast, size, LayerName::Lonlat);
-    let (mut agree, mut judged, mut sea) = (0, 0, 0);
-    for (pixel, alpha) in mask.values.iter().enumerate() {
-        let (lon, lat) = (lonlat.values[2 * pixel], lonlat.values[2 * pixel + 1]);
-        if lon.is_nan() {
-            continue;
+    let (mut land, mut sea) = (0, 0);
+    // From 560 m, and from 30 km, where more land lies farther from the shore than two texels.
+    for id in ["coast", "islands"] {
+        let view = named(id);
+        let mask = measured(&mut renderer, &view, [160, 90], LayerName::Mask);
+        let lonlat = measured(&mut renderer, &view, [160, 90], LayerName::Lonlat);
+        let (mut agree, mut judged) = (0, 0);
+        for (pixel, alpha) in mask.values.iter().enumerate() {
+            let (lon, lat) = (lonlat.values[2 * pixel], lonlat.values[2 * pixel + 1]);
+            if lon.is_nan() {
+                continue;
+            }
+            let sample = world.sample_blocking(lat.to_radians(), lon.to_radians()).unwrap();
+            // Two texels of the deepest water level (7): 2.1 km at this latitude, so 1.1 km each.
+            if sample.shore_distance_m.is_some_and(|d| d.abs() < 2_140.0) {
+                continue;
+            }
+            judged += 1;
+            *(if sample.depth_m.is_some() { &mut sea } else { &mut land }) += 1;
+            agree += usize::from((*alpha > 0.0) == sample.depth_m.is_some());
         }
-        let sample = world.sample_blocking(lat.to_radians(), lon.to_radians()).unwrap();
-        // Two texels of the deepest water level (8): 1.2 km at the equator.
-        if sample.shore_distance_m.is_some_and(|d| d.abs() < 1_200.0) {
-            continue;
-        }
-        judged += 1;
-        sea += usize::from(*alpha > 0.0);
-        agree += usize::from((*alpha > 0.0) == sample.depth_m.is_some());
+        println!("{id}: {agree} of {judged} pixels agree");
+        assert!(judged > 1_000, "{id}: only {judged} pixels to judge");
+        assert!(agree as f64 >= 0.99 * judged as f64, "{id}: {agree} of {judged}");
     }
-    println!("{agree} of {judged} pixels agree; {sea} are sea");
-    assert!(sea > 300 && judged - sea > 300, "the view should show both: {sea} of {judged} are sea");
-    assert!(agree as f64 >= 0.99 * judged as f64, "{agree} of {judged}");
+    assert!(sea > 300 && land > 300, "the views should show both: {sea} of sea, {land} of land");
 }
 
 #[test]

@@ -111,6 +111,7 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
+    assert_eq!(constant(&perlin::source(), "SIDE"), f64::from(perlin::SIDE));
     assert_eq!(constant(&perlin::source(), "OCTAVES"), perlin::OCTAVES as f64);
     assert_eq!(constant(&ocean, "NEAR"), f64::from(frame::NEAR_M as f32));
     let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;

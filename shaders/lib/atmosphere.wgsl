@@ -88,7 +88,12 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
     return Scattered(sum * SUN_IRRADIANCE, exp(-optical));
 }
 
-// The atmosphere's part of a ray from the eye that ends at distance `to_t` (on a surface, or far away).
+// The atmosphere's part of a ray from the eye that ends at distance `to_t` on a surface; few steps serve a short way.
+fn scatter_to_surface(direction: vec3f, to_t: f32) -> Scattered {
+    return scatter_to(direction, to_t, u32(clamp(2.0 + to_t / 8000.0, 2.0, 10.0)));
+}
+
+// The atmosphere's part of a ray from the eye to distance `to_t`.
 fn scatter_to(direction: vec3f, to_t: f32, steps: u32) -> Scattered {
     let ray = eye_ray(direction);
     let shell = shell_hits(ray, TOP);

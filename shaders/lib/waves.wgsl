@@ -57,8 +57,13 @@ fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
     return 1.0 - smoothstep(0.1, 0.4, footprint / patch_length);
 }
 
+fn any_resolvable(footprint: Metres) -> bool {
+    return resolvable(footprint, max(frame.patches.x, frame.perlin_patch)) > 0.0;
+}
+
 // Displacement (east, north, up) of the rest point `p`.
 fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
+    if !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
     let found = node_weights(p);
     let texels = f32(textureDimensions(displacements).x);
@@ -105,6 +110,7 @@ fn mean_square_slope_above(k: f32) -> f32 {
 }
 
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
+    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), mean_square_slope_above(0.0), 1.0); }
     let weights = mix_weights(distance);
     let found = node_weights(p);
     let texels = f32(textureDimensions(gradients).x);

@@ -1,6 +1,7 @@
 //! Floor 6: the native command line; one file per command.
 
 pub mod bake;
+pub mod bench;
 pub mod render;
 pub mod run;
 pub mod sample;
@@ -26,6 +27,7 @@ enum Command {
     Sample(sample::SampleArgs),
     Serve(serve::ServeArgs),
     Run(run::RunArgs),
+    Bench(bench::BenchArgs),
     Bake(bake::BakeArgs),
 }
 
@@ -35,6 +37,7 @@ fn run(command: &Command) -> Result<()> {
         Command::Sample(args) => sample::sample(args).map(|found| println!("{found:#}")),
         Command::Serve(args) => serve::run(args),
         Command::Run(args) => run::run(args),
+        Command::Bench(args) => bench::run(args),
         Command::Bake(args) => bake::bake(args),
     }
 }

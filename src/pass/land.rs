@@ -6,7 +6,7 @@ use crate::data::tile::TileId;
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
-pub const GRID: u32 = 64;
+pub const GRID: u32 = 32;
 const MOST_TILES: usize = 512;
 
 #[repr(C)]

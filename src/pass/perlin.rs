@@ -13,6 +13,8 @@ use crate::scene::frame::{Frame, perlin_patch_m};
 pub const OCTAVES: usize = 4;
 /// Texels along a side.
 const TEXELS: u32 = 256;
+/// Texels along a side of a workgroup; equals `SIDE` in `shaders/perlin.wgsl`.
+pub const SIDE: u32 = 16;
 /// Lattice cells along the wind in the first octave: gradient noise has its strongest wave at about 1.6 cells.
 const PEAK_CELLS: u32 = 8;
 /// Height of an octave over that of the one before: between a k⁻⁴ sea's 2^-1 and Toba's 2^-1.25… rounded to the rougher.
@@ -115,7 +117,7 @@ impl Perlin {
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
-        pass.dispatch_workgroups(TEXELS / 8, TEXELS / 8, 1);
+        pass.dispatch_workgroups(TEXELS / SIDE, TEXELS / SIDE, 1);
     }
 
     /// One dispatch per mip level.

@@ -287,7 +287,12 @@ fn wave_nodes(
 ) -> [WaveNode; MAX_NODES] {
     let eye = camera.eye_ecef();
     let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
-    let cells = wave_domain::cells_near(camera.lat, camera.lon);
+    let mut cells = wave_domain::cells_near(camera.lat, camera.lon);
+    // A cell can serve a point no farther than the horizon only if it is not much farther from the eye's foot than the nearest.
+    let foot = Camera { altitude_m: 0.0, ..*camera }.eye_ecef();
+    let reach = 1.2 * WGS84.horizon_distance(camera.altitude_m.max(20.0)) + 10_000.0;
+    let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
+    cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
     u.node_count = cells.len() as u32;
     let perlin = perlin_patch_m(sea);
     let node = |cell: &Cell| {

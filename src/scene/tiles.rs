@@ -6,7 +6,7 @@ use super::camera::{Camera, FIELD_OF_VIEW_Y};
 use crate::data::tile::{Projection, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
 
-/// Deepest level of the ground's mesh: cells of 38 m at the equator.
+/// Deepest level of the ground's mesh: cells of 76 m at the equator.
 pub const DEEPEST_MESH: u8 = 14;
 /// Highest and lowest ground, metres, with a margin.
 const RELIEF_M: f64 = 9_500.0;
