@@ -12,6 +12,7 @@ use ocean_globe::scene::{frame, wave_domain};
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
     vec![
+        ("blit.wgsl", include_str!("../shaders/blit.wgsl").to_owned()),
         ("fft.wgsl", fft::source(256, Precision::Half)),
         ("fft.wgsl", fft::source(16, Precision::Single)),
         ("fft.wgsl", fft::source(128, Precision::Half)),
