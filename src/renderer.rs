@@ -3,9 +3,9 @@
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
+use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
-use crate::gpu::Gpu;
 use crate::pass::fft::{Fft, Precision, WaveData};
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;

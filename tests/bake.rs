@@ -104,7 +104,11 @@ fn deeper_tiles_are_only_where_a_coast_is_and_their_parents_serve_elsewhere() {
             (Layer::Terrain, mercator(1, 0, 0)),
         ],
     );
-    assert!(matches!(outcome(&arrivals, Layer::Water, coast), Outcome::Tile(_)), "{:?}", outcome(&arrivals, Layer::Water, coast));
+    assert!(
+        matches!(outcome(&arrivals, Layer::Water, coast), Outcome::Tile(_)),
+        "{:?}",
+        outcome(&arrivals, Layer::Water, coast)
+    );
     assert!(matches!(outcome(&arrivals, Layer::Water, open_sea), Outcome::Absent));
     assert!(matches!(outcome(&arrivals, Layer::Water, mercator(9, 0, 0)), Outcome::Absent));
     let Outcome::Tile(texels) = outcome(&arrivals, Layer::Terrain, mercator(1, 0, 0)) else { panic!() };

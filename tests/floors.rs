@@ -66,7 +66,9 @@ fn every_file_uses_lower_floors_only() {
     assert!(files.len() > 40, "only {} sources found", files.len());
     let all: Vec<String> = files
         .iter()
-        .flat_map(|path| complaints(path.strip_prefix(&root).unwrap().to_str().unwrap(), &fs::read_to_string(path).unwrap()))
+        .flat_map(|path| {
+            complaints(path.strip_prefix(&root).unwrap().to_str().unwrap(), &fs::read_to_string(path).unwrap())
+        })
         .collect();
     assert!(all.is_empty(), "{}", all.join("\n"));
 }

@@ -60,7 +60,8 @@ fn opacity_and_mix_follow_their_formulas() {
     let mut renderer = measuring();
     let size = [64, 128];
     let coast = named("coast");
-    let (depth, mask) = [LayerName::Depth, LayerName::Mask].map(|layer| measured(&mut renderer, &coast, size, layer)).into();
+    let (depth, mask) =
+        [LayerName::Depth, LayerName::Mask].map(|layer| measured(&mut renderer, &coast, size, layer)).into();
     let mut compared = 0;
     for (depth, alpha) in depth.values.iter().zip(&mask.values).filter(|(depth, _)| **depth > 0.0) {
         // f32 exp: 1e-6.

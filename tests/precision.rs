@@ -13,8 +13,16 @@ use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
 
 /// Places where a careless globe breaks: latitude and longitude, degrees.
-const PLACES: [[f64; 2]; 8] =
-    [[0.0, 0.0], [0.0, 180.0], [-0.0001, -179.99999], [89.9, 30.0], [-89.99, -120.0], [83.99, 10.0], [51.5, 4.0], [-60.0, 179.9999]];
+const PLACES: [[f64; 2]; 8] = [
+    [0.0, 0.0],
+    [0.0, 180.0],
+    [-0.0001, -179.99999],
+    [89.9, 30.0],
+    [-89.99, -120.0],
+    [83.99, 10.0],
+    [51.5, 4.0],
+    [-60.0, 179.9999],
+];
 
 /// For each local point: its map point (square, u, v), and the local point that comes back from it.
 const KERNEL: &str = "#import map
@@ -114,8 +122,14 @@ fn lonlat_is_right_to_a_pixel_from_deck_to_orbit() {
     let size = [160u32, 90];
     let extent = DVec2::new(160.0, 90.0);
     let views = [
-        "0.5,-20,2,30,80", "0,180,2,200,80", "89.9,30,2,90,80", "35.7,-14,560,0,70", "-20,-179.9,30000,90,60", "15,-30,3e6,0,10",
-        "20,-30,3e7", "88,0,3e6",
+        "0.5,-20,2,30,80",
+        "0,180,2,200,80",
+        "89.9,30,2,90,80",
+        "35.7,-14,560,0,70",
+        "-20,-179.9,30000,90,60",
+        "15,-30,3e6,0,10",
+        "20,-30,3e7",
+        "88,0,3e6",
     ];
     for view in views {
         let state = render::parse_state(&format!("#view={view}&bft=0&time=2026-06-21T12:00:00Z")).unwrap();
@@ -133,7 +147,9 @@ fn lonlat_is_right_to_a_pixel_from_deck_to_orbit() {
                 continue;
             }
             let place = Geodetic { lat: lat.to_radians(), lon: lon.to_radians(), height: 0.0 };
-            let Some(back) = state.camera.project(place, extent) else { panic!("{view}: {lat},{lon} is behind the eye") };
+            let Some(back) = state.camera.project(place, extent) else {
+                panic!("{view}: {lat},{lon} is behind the eye")
+            };
             worst = worst.max(back.distance(pixel));
             seen += 1;
         }

@@ -74,22 +74,82 @@ macro_rules! assert_mirror {
 
 #[test]
 fn structs_have_the_same_members_at_the_same_places() {
-    assert_mirror!(ocean::source(), "Frame", frame::FrameUniform, [
-        clip_from_local, ray_right, eye_altitude, ray_up, semi_major, ray_forward, semi_minor, quadric_diagonal,
-        quadric_constant, quadric_mixed, projector_rise, quadric_gradient, projector_constant, projector_gradient,
-        rim_reach, sin_lat, cos_lat, foot_nu, mercator_sin, north_point, south_point, north_delta,
-        mercator_sin_delta, south_delta, whitecaps, mercator_fixed, north_fixed, south_fixed, meridian, sun, exposure,
-        viewport, pixel_angle, water_density, wind, wave_height, chop, mix_near, mix_far, foam, perlin_patch, patches,
-        node_count, layers, output, cascade_count, terrain_resolution, perlin_deviation, crest_height, foam_quantile,
-        slope_variance,
-    ]);
-    assert_mirror!(ocean::source(), "WaveNode", frame::WaveNode, [
-        origin, unused_a, axis_x, unused_b, axis_y, unused_c, starts, perlin_start,
-    ]);
-    assert_mirror!(fft::source(64, Precision::Half), "Evolution", fft::Evolution, [ticks, cascade_count, unused, patches]);
-    assert_mirror!(perlin::source(), "PerlinSettings", perlin::PerlinSettings, [
-        octaves, patch_length, seed, peak_cells, unused,
-    ]);
+    assert_mirror!(
+        ocean::source(),
+        "Frame",
+        frame::FrameUniform,
+        [
+            clip_from_local,
+            ray_right,
+            eye_altitude,
+            ray_up,
+            semi_major,
+            ray_forward,
+            semi_minor,
+            quadric_diagonal,
+            quadric_constant,
+            quadric_mixed,
+            projector_rise,
+            quadric_gradient,
+            projector_constant,
+            projector_gradient,
+            rim_reach,
+            sin_lat,
+            cos_lat,
+            foot_nu,
+            mercator_sin,
+            north_point,
+            south_point,
+            north_delta,
+            mercator_sin_delta,
+            south_delta,
+            whitecaps,
+            mercator_fixed,
+            north_fixed,
+            south_fixed,
+            meridian,
+            sun,
+            exposure,
+            viewport,
+            pixel_angle,
+            water_density,
+            wind,
+            wave_height,
+            chop,
+            mix_near,
+            mix_far,
+            foam,
+            perlin_patch,
+            patches,
+            node_count,
+            layers,
+            output,
+            cascade_count,
+            terrain_resolution,
+            perlin_deviation,
+            crest_height,
+            foam_quantile,
+            slope_variance,
+        ]
+    );
+    assert_mirror!(
+        ocean::source(),
+        "WaveNode",
+        frame::WaveNode,
+        [origin, unused_a, axis_x, unused_b, axis_y, unused_c, starts, perlin_start,]
+    );
+    assert_mirror!(
+        fft::source(64, Precision::Half),
+        "Evolution",
+        fft::Evolution,
+        [ticks, cascade_count, unused, patches]
+    );
+    assert_mirror!(
+        perlin::source(),
+        "PerlinSettings",
+        perlin::PerlinSettings,
+        [octaves, patch_length, seed, peak_cells, unused,]
+    );
 }
 
 /// The value of a module constant, which must be a literal.

@@ -58,12 +58,8 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     let size = parse_size(&args.size)?;
     let mut renderer = headless(&args.data, Radiance::Half)?;
     let gpu = renderer.gpu().clone();
-    let target = gpu.texture(
-        "bench",
-        Shape::picture(size[0], size[1]),
-        TARGET_FORMAT,
-        wgpu::TextureUsages::RENDER_ATTACHMENT,
-    );
+    let target =
+        gpu.texture("bench", Shape::picture(size[0], size[1]), TARGET_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
     let target = texture::view(&target);
     println!("{}, {}x{}, median of {} frames", gpu.adapter, size[0], size[1], args.frames);
     println!("{:<12} {:>10} {:>12}", "view", "frame ms", "encode ms");

@@ -133,7 +133,10 @@ pub fn draw(renderer: &mut Renderer, frame: &Frame) -> Result<wgpu::Texture> {
     let start = Instant::now();
     while !renderer.load(frame) {
         if start.elapsed() > PATIENCE {
-            return Err(Error::Fetch { url: "the world's tiles".into(), why: "did not arrive within two minutes".into() });
+            return Err(Error::Fetch {
+                url: "the world's tiles".into(),
+                why: "did not arrive within two minutes".into(),
+            });
         }
         std::thread::sleep(Duration::from_millis(2));
     }

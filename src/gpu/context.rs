@@ -52,10 +52,9 @@ impl Gpu {
                 "install a Vulkan driver (Debian: apt install mesa-vulkan-drivers libvulkan1, which runs without a GPU)",
             )
         })?;
-        let (device, queue) = adapter
-            .request_device(&device_descriptor(&adapter))
-            .await
-            .map_err(|e| Error::gpu(format!("{}: {e}", described(&adapter.get_info())), "update the graphics driver"))?;
+        let (device, queue) = adapter.request_device(&device_descriptor(&adapter)).await.map_err(|e| {
+            Error::gpu(format!("{}: {e}", described(&adapter.get_info())), "update the graphics driver")
+        })?;
         Ok(Self::new(&adapter, device, queue))
     }
 
@@ -68,7 +67,9 @@ impl Gpu {
         let made = work();
         match scope.pop().await {
             None => Ok(made),
-            Some(e) => Err(Error::gpu(e, "this is a fault of the program or of the driver: report it with this message")),
+            Some(e) => {
+                Err(Error::gpu(e, "this is a fault of the program or of the driver: report it with this message"))
+            }
         }
     }
 }

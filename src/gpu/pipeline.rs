@@ -35,11 +35,9 @@ impl Bind {
             Self::Texture(view) => texture(S::Float { filterable: true }, view),
             Self::Texels(view) => texture(S::Float { filterable: false }, view),
             Self::Depth => texture(S::Depth, wgpu::TextureViewDimension::D2),
-            Self::Write(format, view_dimension) => T::StorageTexture {
-                access: wgpu::StorageTextureAccess::WriteOnly,
-                format,
-                view_dimension,
-            },
+            Self::Write(format, view_dimension) => {
+                T::StorageTexture { access: wgpu::StorageTextureAccess::WriteOnly, format, view_dimension }
+            }
             Self::Sampler => T::Sampler(wgpu::SamplerBindingType::Filtering),
         }
     }
@@ -171,7 +169,12 @@ impl Gpu {
 
     /// An uninitialised (zero) buffer of `size` bytes.
     pub fn empty_buffer(&self, label: &str, usage: wgpu::BufferUsages, size: u64) -> wgpu::Buffer {
-        self.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage,
+            mapped_at_creation: false,
+        })
     }
 
     /// A sampler that filters linearly, mip levels included.

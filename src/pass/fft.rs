@@ -105,8 +105,7 @@ impl Fft {
         let (displacements, gradients) = (make("displacements"), make("gradients"));
         let write = Bind::Write(format, D2Array);
         let compute = wgpu::ShaderStages::COMPUTE;
-        let binds =
-            [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write];
+        let binds = [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write];
         let layout = gpu.layout("fft", compute, &binds);
         let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
 

@@ -104,15 +104,14 @@ impl Atlas {
         self.resident.remove(&id).map(|r| r.slot)
     }
 
-    /// Rewrites the page table for an eye at `camera`.
+    /// Rewrites the page table; `corners` holds the first tile of each level's window in each square.
     fn write_pages(&mut self, gpu: &Gpu, corners: &[[[u32; 2]; PAGE_LEVELS]; 3]) {
         let mut words = vec![0u32; Projection::ALL.len() * PAGE_LEVELS * PAGE_WINDOW * PAGE_WINDOW];
         for (square, projection) in Projection::ALL.into_iter().enumerate() {
-            for z in 0..PAGE_LEVELS {
+            for (z, &corner) in corners[square].iter().enumerate() {
                 let base = (square * PAGE_LEVELS + z) * PAGE_WINDOW * PAGE_WINDOW;
                 let parent_base = base - PAGE_WINDOW * PAGE_WINDOW * usize::from(z > 0);
                 let across = 1u32 << z;
-                let corner = corners[square][z];
                 for dy in 0..across.min(PAGE_WINDOW as u32) {
                     for dx in 0..across.min(PAGE_WINDOW as u32) {
                         let (x, y) = (corner[0].wrapping_add(dx) % across, corner[1].wrapping_add(dy) % across);

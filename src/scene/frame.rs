@@ -279,12 +279,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     }
 }
 
-fn wave_nodes(
-    u: &mut FrameUniform,
-    settings: &Settings,
-    camera: &Camera,
-    sea: &SeaTables,
-) -> [WaveNode; MAX_NODES] {
+fn wave_nodes(u: &mut FrameUniform, settings: &Settings, camera: &Camera, sea: &SeaTables) -> [WaveNode; MAX_NODES] {
     let eye = camera.eye_ecef();
     let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
     let mut cells = wave_domain::cells_near(camera.lat, camera.lon);

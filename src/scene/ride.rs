@@ -40,7 +40,8 @@ impl Lift {
             let n = cascade.n;
             let mirror = |i: usize| ((n - i / n) % n) * n + (n - i % n) % n;
             let vectors = cascade.wave_vectors().enumerate();
-            let big = vectors.filter(|&(i, _)| h0[i][0].hypot(h0[i][1]) + h0[mirror(i)][0].hypot(h0[mirror(i)][1]) > noticed);
+            let big =
+                vectors.filter(|&(i, _)| h0[i][0].hypot(h0[i][1]) + h0[mirror(i)][0].hypot(h0[mirror(i)][1]) > noticed);
             big.map(|(i, (kx, ky))| Wave {
                 kx,
                 ky,
@@ -58,7 +59,8 @@ impl Lift {
     fn cascade(&self, index: usize, at: DVec2, ticks: u64) -> (f64, DVec2) {
         let (mut height, mut shift) = (0.0, DVec2::ZERO);
         for wave in &self.waves[index] {
-            let phase = f64::from(waves::phase_u32(wave.cycles_per_tick, ticks)) / 4_294_967_296.0 * std::f64::consts::TAU;
+            let phase =
+                f64::from(waves::phase_u32(wave.cycles_per_tick, ticks)) / 4_294_967_296.0 * std::f64::consts::TAU;
             let (sin, cos) = phase.sin_cos();
             let forward = mul(wave.h0, [cos, -sin]);
             let backward = mul([wave.h0_mirror[0], -wave.h0_mirror[1]], [cos, sin]);
