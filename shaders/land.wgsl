@@ -99,7 +99,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     // A bed that shows through less than 1/250 of the water needs no light.
     let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
-    if sea_covers && frame.output == PICTURE && water_alpha(-ground.elevation) > 0.996 { return vec4f(0.0, 0.0, 0.0, 1.0); }
+    if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > 0.996 { return vec4f(0.0, 0.0, 0.0, 1.0); }
 
     // Slopes over one texel of the terrain tile that is at hand, in metres per metre east and north.
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
@@ -130,7 +130,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lake = water_radiance(WaterPoint(to_eye, up, up, 0.004, 1.0, 20.0, vec3f(0.0), 0.0));
         radiance = mix(radiance, lake, shore);
     }
-    if !sea_covers {
+    if frame.under_water == 1u {
+        // Less of the sun reaches the deep bed.
+        let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
+        radiance = through_water(lit, distance);
+    } else if !sea_covers {
         // Far away the chords of the triangles lie noticeably below the ground: the ray's own way to its height counts.
         let shell = shell_hits(eye_ray(-to_eye), ground.elevation);
         let exact = select(distance, shell.x, shell.x > 0.0 && shell.y > shell.x && spacing_matters(distance));

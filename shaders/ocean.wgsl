@@ -23,7 +23,9 @@ fn waves_are_pixels(distance: Metres) -> bool {
 
 // The ellipsoid's point under a device coordinate, cast from the projector; see the head of this file.
 fn projected(device: vec2f) -> vec3f {
-    let direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    // The surface over an eye under water lies where the mirrored eye above it looks.
+    if frame.eye_altitude < 0.0 { direction.z = -abs(direction.z); }
     let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var t = surface_hit(ray);
@@ -134,6 +136,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let calmed = clamp(depth * 0.5 / max(frame.wave_height, 1e-3), 0.0, 1.0);
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
+    if frame.under_water == 1u {
+        let seen = through_water(window_radiance(direction, normal, up), distance);
+        return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), seen);
+    }
     // Crests fold where the chop's divergence, which has the variance of the resolved slopes, passes the quantile that the
     // whitecap fraction asks for; beyond what pixels hold, the fraction itself.
     let resolved = sqrt(max(mean_square_slope_above(0.0) - slopes.unresolved, 1e-6)) * frame.chop;

@@ -1,5 +1,5 @@
 // The sky behind everything: the atmosphere seen from any height, the sun's disc, the stars' darkness.
-#import atmosphere
+#import water
 #import output
 
 struct Vertex { @builtin(position) position: vec4f, @location(0) device: vec2f }
@@ -14,6 +14,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Vertex {
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
+    if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
     // Below the deepest trough and the flattest triangle, land or sea covers the sky.
     let covered = shell_hits(eye_ray(direction), -500.0);
     if (frame.layers & 3u) == 3u && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }

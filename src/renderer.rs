@@ -124,7 +124,7 @@ impl Renderer {
         let surface_layout = gpu.layout("surface", stages, &binds);
         let surface_group = surface_group(&gpu, &surface_layout, &fft, &perlin, &sky_table);
         Self {
-            sky: Sky::new(&gpu, frame, radiance),
+            sky: Sky::new(&gpu, frame, &surface_layout, radiance),
             land: Land::new(&gpu, frame, &surface_layout, radiance, DEPTH_FORMAT),
             ocean: Ocean::new(&gpu, frame, &surface_layout, radiance, DEPTH_FORMAT),
             tonemap: Tonemap::new(&gpu, TARGET_FORMAT),
@@ -160,7 +160,10 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
 
         let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
-        self.frame_group.upload(&self.gpu, frame, resolution);
+        let eye = frame.camera;
+        let in_sea = eye.altitude_m < 0.0
+            && self.world.sample_resident(eye.lat, eye.lon).is_some_and(|place| place.depth_m.is_some());
+        self.frame_group.upload(&self.gpu, frame, resolution, in_sea);
         self.fft.set_time(&self.gpu, frame.ticks());
         self.perlin.prepare(&self.gpu, frame);
         self.land.set_tiles(&self.gpu, &self.visible);
@@ -179,7 +182,7 @@ impl Renderer {
         {
             let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
             if layers & 4 != 0 {
-                self.sky.draw(&mut pass, frame_group);
+                self.sky.draw(&mut pass, frame_group, surface);
             }
         }
         {

@@ -130,6 +130,10 @@ fn structs_have_the_same_members_at_the_same_places() {
             crest_height,
             foam_quantile,
             slope_variance,
+            under_water,
+            unused_a,
+            unused_b,
+            unused_c,
         ]
     );
     assert_mirror!(

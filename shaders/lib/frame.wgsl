@@ -61,6 +61,10 @@ struct Frame {
     foam_quantile: f32,        // standard deviations that this share of a normal variable exceeds
     // Mean-square slope above the wavenumber 2^(i/2 - 8) rad/m, i = 0…31.
     slope_variance: array<vec4f, 8>,
+    under_water: u32,          // 1 when the eye is in the sea
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 // One cell of the wave domain: where its tiles lie, how they are turned, where they start.

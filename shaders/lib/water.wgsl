@@ -47,3 +47,24 @@ fn water_radiance(w: WaterPoint) -> vec3f {
     let foam = FOAM_ALBEDO / PI * (sun * max(mu_sun, 0.0) + ambient);
     return mix(reflected + sparkle + through, foam, clamp(w.foam, 0.0, 1.0));
 }
+
+// Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.
+fn water_veil() -> vec3f {
+    let mu_sun = frame.sun.z;
+    let down = sun_irradiance_at(mu_sun) * max(mu_sun, 0.0) + sky_irradiance_at(mu_sun);
+    return 1.5 * DEEP_REFLECTANCE / PI * down * exp(0.25 * BED_ABSORPTION * frame.eye_altitude);
+}
+
+fn through_water(radiance: vec3f, distance: Metres) -> vec3f {
+    return mix(water_veil(), radiance, exp(-0.5 * BED_ABSORPTION * distance));
+}
+
+// The surface from below: the sky through Snell's window, total reflection around it. `direction` goes up to the surface.
+fn window_radiance(direction: vec3f, normal: vec3f, up: vec3f) -> vec3f {
+    let out = refract(direction, -normal, WATER_INDEX);
+    let escaping = dot(out, out) > 0.5;
+    let reflectance = select(1.0, fresnel_water(abs(dot(out, normal))), escaping);
+    let sky = sky_at_sea(normalize(out + 1e-6 * up), up)
+        + sun_irradiance_at(dot(frame.sun, up)) * 300.0 * smoothstep(0.9985, 0.9998, dot(out, frame.sun));
+    return mix(sky, water_veil(), reflectance);
+}

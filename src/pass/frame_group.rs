@@ -53,9 +53,14 @@ impl FrameGroup {
         Self { layout, group, uniform, nodes }
     }
 
-    /// Hands the frame to the GPU.
-    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64) {
-        let uniform = FrameUniform { terrain_resolution: terrain_resolution_m as f32, ..frame.uniform };
+    /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, and
+    /// whether the eye is in the sea.
+    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, under_water: bool) {
+        let uniform = FrameUniform {
+            terrain_resolution: terrain_resolution_m as f32,
+            under_water: u32::from(under_water),
+            ..frame.uniform
+        };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
         gpu.queue.write_buffer(&self.nodes, 0, bytemuck::cast_slice(&frame.nodes));
     }

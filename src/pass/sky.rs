@@ -13,15 +13,21 @@ pub struct Sky {
 }
 
 impl Sky {
-    /// The pass into a colour target of `format`; `frame` is the layout of bind group 0.
-    pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, format: wgpu::TextureFormat) -> Self {
-        Self { pipeline: gpu.drawing("sky", &source(), &[frame], &[], format, None) }
+    /// The pass into a colour target of `format`; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    pub fn new(
+        gpu: &Gpu,
+        frame: &wgpu::BindGroupLayout,
+        surface: &wgpu::BindGroupLayout,
+        format: wgpu::TextureFormat,
+    ) -> Self {
+        Self { pipeline: gpu.drawing("sky", &source(), &[frame, surface], &[], format, None) }
     }
 
     /// One triangle over the picture.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup) {
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, surface, &[]);
         pass.draw(0..3, 0..1);
     }
 }

@@ -111,6 +111,10 @@ pub struct FrameUniform {
     pub crest_height: f32,
     pub foam_quantile: f32,
     pub slope_variance: [Vec4; 8],
+    pub under_water: u32,
+    pub unused_a: u32,
+    pub unused_b: u32,
+    pub unused_c: u32,
 }
 
 /// Everything that one call of `Renderer::render` draws.
@@ -199,7 +203,9 @@ fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     let constant_at = |h: f64| 2.0 * h * scale / nu + h * h * q.z_axis.z;
     let h = camera.altitude_m;
     let crest = 1.1 * hs_m;
-    let rise = if h < 40.0 * crest { (1.3 * crest + 0.6 - h).max(0.0) } else { 0.0 };
+    let above = if h < 40.0 * crest { (1.3 * crest + 0.6 - h).max(0.0) } else { 0.0 };
+    // From below, the grid is that of the mirrored eye above the surface.
+    let rise = above.max(-2.0 * h);
     u.eye_altitude = h as f32;
     u.semi_major = a as f32;
     u.semi_minor = b as f32;
