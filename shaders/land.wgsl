@@ -90,7 +90,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let dn = normal_delta_at(point);
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     // Each place is drawn by one square alone.
-    if square_of(sin_lat) != in.tile.x { discard; }
+    if square_of(sin_lat) != in.tile.x {
+        discard;
+        return vec4f(0.0);
+    }
     let up = dn + vec3f(0.0, 0.0, 1.0);
     let distance = length(in.local);
     let to_eye = -in.local / max(distance, 1e-3);

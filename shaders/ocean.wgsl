@@ -32,7 +32,12 @@ fn projected(device: vec2f) -> vec3f {
     if t >= 0.0 { return direction * t + rise; }
     // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is.
     t = max(-ray.b / ray.a, 0.0);
-    if waves_are_pixels(t) { return direction * t + rise; }
+    if waves_are_pixels(t) {
+        // A few cells beyond the limb are enough.
+        let p = direction * t + rise;
+        let beyond = height_along(ray, t) - 16.0 * t * frame.pixel_angle;
+        return p - max(beyond, 0.0) * (normal_delta(p) + vec3f(0.0, 0.0, 1.0));
+    }
     // Near, the point of the horizon below the ray, so that no triangle spans the sea.
     let tangent = sqrt(max(ray.c, 0.0) / ray.a);
     let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
@@ -76,7 +81,7 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     let distance = length(rest);
     let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
     var moved = vec3f(0.0);
-    if frame.wave_height > 0.0 {
+    if frame.wave_height > 0.0 && !waves_are_pixels(distance) {
         let displacement = displacement_at(rest, distance, spacing);
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
@@ -109,7 +114,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var moved = in.moved;
     if waves_are_pixels(distance) {
         distance = surface_hit(eye_ray(direction));
-        if distance < 0.0 { discard; }
+        if distance < 0.0 {
+            discard;
+            return vec4f(0.0);
+        }
         rest = direction * distance;
         moved = rest;
     }
@@ -120,7 +128,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let across = distance * frame.pixel_angle;
     let footprint = across / sqrt(grazing);
     let ground = ground_at(map_point(dn), sin_lat, max(across, 1.0));
-    if !ground.is_ocean { discard; }
+    if !ground.is_ocean {
+        discard;
+        return vec4f(0.0);
+    }
 
     // Land in front of the water hides it; the bed just under it does not.
     let pixel = vec2u(in.position.xy);
@@ -128,7 +139,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let axis_distance = dot(moved, frame.ray_forward);
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     // 0.4 % of the distance and 2 m cover the chords of the land's triangles; depth = NEAR / distance.
-    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR { discard; }
+    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR {
+        discard;
+        return vec4f(0.0);
+    }
 
     let depth = -ground.elevation;
     let alpha = water_alpha(depth);
