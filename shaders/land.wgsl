@@ -46,8 +46,8 @@ fn vertex(in: Tile) -> Vertex {
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
 }
 
-// Whether a pixel is wide enough to see that triangles are flat.
-fn spacing_matters(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
+// Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
+fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
 
 // Patchiness, about 0…1: octaves from 300 km down to what pixels hold.
 fn patchiness(at: vec2u, footprint: Metres) -> f32 {
@@ -86,23 +86,32 @@ fn bed_colour(depth: Metres) -> vec3f {
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
-    let point = tile_point(in.tile, in.in_tile);
-    let dn = normal_delta_at(point);
-    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    // Each place is drawn by one square alone.
-    if square_of(sin_lat) != in.tile.x {
+    var point = tile_point(in.tile, in.in_tile);
+    var dn = normal_delta_at(point);
+    var distance = length(in.local);
+    let to_eye = -in.local / max(distance, 1e-3);
+    let far_hit = surface_hit(eye_ray(-to_eye));
+    if chords_show(distance) && far_hit > 0.0 {
+        // From space the pixel's own ray tells the place, as it does for the sea, so that no pixel falls between the two.
+        distance = far_hit;
+        dn = normal_delta(-to_eye * distance);
+        point = map_point(dn);
+    } else if square_of(frame.sin_lat + sin_lat_delta(dn)) != in.tile.x {
+        // Each place is drawn by one square alone.
         discard;
         return vec4f(0.0);
     }
+    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     let up = dn + vec3f(0.0, 0.0, 1.0);
-    let distance = length(in.local);
-    let to_eye = -in.local / max(distance, 1e-3);
-    let footprint = distance * frame.pixel_angle / sqrt(max(abs(dot(to_eye, up)), 0.05));
-    let ground = ground_at(point, sin_lat, footprint);
+    let across = distance * frame.pixel_angle;
+    let footprint = across / sqrt(max(abs(dot(to_eye, up)), 0.05));
+    let ground = ground_at(point, sin_lat, max(across, 1.0));
 
-    // A bed that shows through less than 1/250 of the water needs no light.
+    // A bed that shows through less than 1/250 of the water needs no light; should a pixel of the sea miss, it is blue.
     let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
-    if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > 0.996 { return vec4f(0.0, 0.0, 0.0, 1.0); }
+    if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > 0.996 {
+        return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
+    }
 
     // Slopes over one texel of the terrain tile that is at hand, in metres per metre east and north.
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
@@ -138,10 +147,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
     } else if !sea_covers {
-        // Far away the chords of the triangles lie noticeably below the ground: the ray's own way to its height counts.
-        let shell = shell_hits(eye_ray(-to_eye), ground.elevation);
-        let exact = select(distance, shell.x, shell.x > 0.0 && shell.y > shell.x && spacing_matters(distance));
-        let air = scatter_to_surface(-to_eye, exact);
+        let air = scatter_to_surface(-to_eye, distance);
         radiance = radiance * air.transmittance + air.radiance;
     }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);
