@@ -11,8 +11,8 @@ build:  ## builds the page into dist/ and the native program, if anything has ch
 test:   ## sets up and runs every test: native, headless GPU, browser
 	@scripts/test.sh
 
-bench:  ## measures
-	@cargo bench
+bench:  ## measures what a frame costs at every named view
+	@cargo run --release --locked -- bench
 
 bake:   ## makes the bundled world anew from its public sources
 	@scripts/make-world.sh
