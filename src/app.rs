@@ -16,6 +16,7 @@ use egui_wgpu::wgpu;
 use glam::DVec2;
 
 use crate::data::fetch::now_s;
+use crate::data::sample::Sample;
 use crate::data::water::WaterClass;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
@@ -104,11 +105,12 @@ impl App {
         })
     }
 
-    /// Height of the ground or the resting water below the eye, metres; 0 while nobody knows.
+    /// Height of the ground or the resting water below the eye, metres, of the bed for an eye in the water; 0 while nobody knows.
     fn ground_m(&mut self) -> f64 {
-        let Camera { lat, lon, .. } = self.state.camera;
+        let Camera { lat, lon, altitude_m, .. } = self.state.camera;
         let sample = self.renderer.world_mut().sample_resident(lat, lon);
-        sample.filter(|sample| sample.class != WaterClass::Ocean).map_or(0.0, |sample| sample.elevation_m)
+        let solid = |sample: &Sample| sample.class != WaterClass::Ocean || altitude_m < 0.0;
+        sample.filter(solid).map_or(0.0, |sample| sample.elevation_m)
     }
 
     /// Moves everything that moves on by some seconds. Returns the scene's time and whether more is to come.
@@ -142,7 +144,7 @@ impl App {
     fn draw(&mut self, unix_seconds: f64, size: [u32; 2]) {
         self.picture.resize(&self.gpu.device, size);
         let size = self.picture.size();
-        let camera = self.state.eye(unix_seconds);
+        let camera = self.renderer.eye(&self.state, unix_seconds);
         let shown = Shown { settings: self.state.settings.clone(), camera, unix_seconds, size };
         if self.shown.as_ref() == Some(&shown) && !self.is_loading() {
             return;

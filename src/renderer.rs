@@ -15,9 +15,13 @@ use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
+use crate::scene::camera::{Camera, LOWEST_M};
 use crate::scene::frame::Frame;
+use crate::scene::navigate::above_ground;
+use crate::scene::ride::surface_height;
 use crate::scene::sea::SeaTables;
 use crate::scene::tiles::visible_tiles;
+use crate::scene::view_state::ViewState;
 use std::sync::Arc;
 
 /// Format of the target that [`Renderer::render`] draws into: display (gamma) values.
@@ -231,6 +235,22 @@ impl Renderer {
         }
         self.fft.set_waves(&self.gpu, &sea.cascades, &WaveData::of(sea));
         self.sea = Some(sea.clone());
+    }
+
+    /// The eye that a state asks for, where it can be: a metre over the ground and the waves, or, for a negative altitude over
+    /// the ocean, in the water above its bed.
+    pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
+        let asked = state.camera;
+        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else { return state.eye(unix_seconds) };
+        let Some(depth_m) = place.depth_m else { return above_ground(&asked, place.elevation_m) };
+        let ridden = state.eye(unix_seconds);
+        let crest_m = 1.2 * SeaTables::of(&state.settings).sea.hs_m;
+        let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
+            surface_height(&state.settings, &asked, unix_seconds) + LOWEST_M
+        } else {
+            0.5 - depth_m
+        };
+        Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
     }
 
     /// The world, for readouts and credits.

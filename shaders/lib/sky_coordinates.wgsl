@@ -1,7 +1,7 @@
 // Coordinates of the skylight tables: denser towards the horizon and towards low suns.
 
 const SUN_COSINE_FROM = -0.3;      // below it the table's sky is night
-const NIGHT = vec3f(2.0e-5, 2.6e-5, 4.0e-5);                // moonless but starry: enough to see the coast
+const NIGHT = vec3f(2.0e-4, 2.6e-4, 4.0e-4);                // brighter than any moon, so that the dark side can be made out
 
 fn sun_coordinate(mu_sun: f32) -> f32 {
     let x = clamp((mu_sun - SUN_COSINE_FROM) / (1.0 - SUN_COSINE_FROM), 0.0, 1.0);

@@ -98,7 +98,11 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let level = level_for(point, footprint, cos_lat);
     let terrain = bilinear(false, point, level);
     let water = bilinear(true, point, level);
-    let shores = water.xy * texel_metres(point, water.w, sin_lat);
+    var shores = water.xy * texel_metres(point, water.w, sin_lat);
+    // Without any water tile the sign of the elevation tells sea from land.
+    if page_at(true, point.square, 0u, vec2u(0u)).layer == 0u {
+        shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
+    }
     return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0);
 }

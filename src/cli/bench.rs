@@ -5,11 +5,11 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::render::{draw, frame_of, headless, parse_size, parse_state};
+use super::render::{draw, headless, parse_size, parse_state};
 use crate::error::{Error, Result};
 use crate::gpu::texture::{self, Shape};
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
-use crate::scene::frame::Frame;
+use crate::scene::frame::{Frame, Output};
 use crate::scene::views::VIEWS;
 
 /// Measure the time of a frame at every named view.
@@ -66,12 +66,11 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     let mut rows = Vec::new();
     for view in &VIEWS {
         let state = parse_state(&format!("#{}", view.fragment))?;
-        draw(&mut renderer, &frame_of(&state, size))?;
+        let (mut frame, _) = draw(&mut renderer, &state, size, Output::Picture)?;
         let mut times = Vec::new();
-        for step in 0..args.frames {
+        for _ in 0..args.frames {
             // A tenth of a second later each time: nothing may be kept from the frame before.
-            let mut frame = frame_of(&state, size);
-            frame.unix_seconds += 0.1 * f64::from(step);
+            frame.unix_seconds += 0.1;
             times.push(frame_ms(&mut renderer, &frame, &target)?);
         }
         let [whole, encode] = [0, 1].map(|part| median(times.iter().map(|t| t[part]).collect()));

@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
+use crate::scene::settings::{Foam, Mesh, Spectrum};
 use crate::scene::view_state::ViewState;
 
 /// Draw a view into a PNG, or measure it into a NumPy array.
@@ -105,7 +106,23 @@ pub fn parse_size(text: &str) -> Result<[u32; 2]> {
 /// The first complaint of the fragment's parser.
 pub fn parse_state(text: &str) -> Result<ViewState> {
     let (state, complaints) = ViewState::parse_fragment(text, None);
+    for key in not_drawn(&state) {
+        log::warn!("{key}: kept in links, but this version does not draw it yet");
+    }
     complaints.into_iter().next().map_or(Ok(state), Err)
+}
+
+/// Keys of a state that links carry and this version does not draw.
+fn not_drawn(state: &ViewState) -> Vec<&'static str> {
+    let settings = &state.settings;
+    let keys = [
+        ("spectrum", settings.spectrum != Spectrum::default()),
+        ("fetch", settings.fetch_km.is_some()),
+        ("swell", settings.swell.is_some()),
+        ("mesh", settings.mesh != Mesh::default()),
+        ("foam's lifetime", settings.foam.lifetime_s != Foam::default().lifetime_s),
+    ];
+    keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
 
 /// A headless renderer over the world in `data`.
@@ -118,20 +135,30 @@ pub fn headless(data: &str, radiance: Radiance) -> Result<Renderer> {
     pollster::block_on(Renderer::with_radiance(gpu, World::open(data), radiance))
 }
 
-/// The frame of a state, at the clock's time where the state says `now`.
-pub fn frame_of(state: &ViewState, size: [u32; 2]) -> Frame {
+/// The instant of a state, UTC seconds since 1970; the clock's where the state says `now`.
+pub fn instant(state: &ViewState) -> f64 {
     let clock = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
-    let unix_seconds = state.time.unix_seconds(clock);
-    Frame::new(&state.settings, &state.eye(unix_seconds), unix_seconds, size)
+    state.time.unix_seconds(clock)
 }
 
-/// Loads what the frame needs, then draws it into a new texture of [`TARGET_FORMAT`].
+/// Loads what a state needs, then draws it into a new texture of [`TARGET_FORMAT`].
 ///
 /// # Errors
-/// [`Error::Fetch`] when tiles do not come in time.
-pub fn draw(renderer: &mut Renderer, frame: &Frame) -> Result<wgpu::Texture> {
-    let start = Instant::now();
-    while !renderer.load(frame) {
+/// [`Error::BadData`] or [`Error::Fetch`] when the world's archives cannot be had or do not come in time.
+pub fn draw(
+    renderer: &mut Renderer,
+    state: &ViewState,
+    size: [u32; 2],
+    output: Output,
+) -> Result<(Frame, wgpu::Texture)> {
+    let (start, unix_seconds) = (Instant::now(), instant(state));
+    let frame = loop {
+        // The eye depends on its ground, which may still have to come.
+        let eye = renderer.eye(state, unix_seconds);
+        let frame = Frame::new(&state.settings, &eye, unix_seconds, size).measuring(output);
+        if renderer.load(&frame) && renderer.eye(state, unix_seconds) == eye {
+            break frame;
+        }
         if start.elapsed() > PATIENCE {
             return Err(Error::Fetch {
                 url: "the world's tiles".into(),
@@ -139,15 +166,18 @@ pub fn draw(renderer: &mut Renderer, frame: &Frame) -> Result<wgpu::Texture> {
             });
         }
         std::thread::sleep(Duration::from_millis(2));
+    };
+    if let Some(why) = renderer.world_mut().failure() {
+        return Err(Error::bad_data("the world", why, "name the folder of its archives with --data"));
     }
     let gpu = renderer.gpu().clone();
-    let shape = crate::gpu::texture::Shape::picture(frame.size[0], frame.size[1]);
+    let shape = crate::gpu::texture::Shape::picture(size[0], size[1]);
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    renderer.render(&mut encoder, frame, &crate::gpu::texture::view(&target));
+    renderer.render(&mut encoder, &frame, &crate::gpu::texture::view(&target));
     gpu.queue.submit([encoder.finish()]);
-    Ok(target)
+    Ok((frame, target))
 }
 
 /// RGBA bytes of a state's picture, rows from the top.
@@ -155,7 +185,7 @@ pub fn draw(renderer: &mut Renderer, frame: &Frame) -> Result<wgpu::Texture> {
 /// # Errors
 /// As [`draw`], or a lost device.
 pub fn picture(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Result<Vec<u8>> {
-    let target = draw(renderer, &frame_of(state, size))?;
+    let (_, target) = draw(renderer, state, size, Output::Picture)?;
     renderer.gpu().read_texture(&target, 0, 0)
 }
 
@@ -164,8 +194,7 @@ pub fn picture(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Re
 /// # Errors
 /// As [`picture`].
 pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer: LayerName) -> Result<Measured> {
-    let frame = frame_of(state, size).measuring(layer.output());
-    draw(renderer, &frame)?;
+    let (frame, _) = draw(renderer, state, size, layer.output())?;
     let Some(texture) = renderer.radiance() else {
         return Err(Error::gpu("nothing was drawn", "report this"));
     };
@@ -239,6 +268,10 @@ pub fn write_npy(path: &std::path::Path, measured: &Measured) -> Result<()> {
 /// What was wrong with the options, the data or the device.
 pub fn run(args: &RenderArgs) -> Result<()> {
     let (state, size) = (parse_state(&args.state)?, parse_size(&args.size)?);
+    let wanted = if args.layer.is_some() { "npy" } else { "png" };
+    if args.output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case(wanted)) {
+        return Err(Error::bad_value("output", args.output.display(), format!("name a file that ends in .{wanted}")));
+    }
     match args.layer {
         None => {
             let mut renderer = headless(&args.data, Radiance::Half)?;

@@ -20,8 +20,8 @@ pub struct Sample {
     pub depth_m: Option<f64>,
     /// What covers the ground.
     pub class: WaterClass,
-    /// Distance to the ocean's shore, metres, positive in the ocean; at least this much where it is larger than eight
-    /// texels of the coarsest tile. `None` where there is no water tile.
+    /// Distance to the ocean's shore, metres, positive in the ocean. `None` where there is no water tile, and where it is
+    /// more than eight texels of the coarsest tile (1,200 km at the equator, 100 km at the poles).
     pub shore_distance_m: Option<f64>,
     /// Distance to the nearest lake's shore, metres, positive in the lake; as above.
     pub lake_distance_m: Option<f64>,
@@ -92,8 +92,8 @@ pub fn sample(
         elevation_m,
         depth_m: (class == WaterClass::Ocean).then_some(-elevation_m),
         class,
-        shore_distance_m: Some(ocean_m),
-        lake_distance_m: Some(lake_m),
+        shore_distance_m: map.known(ocean_m, lat),
+        lake_distance_m: map.known(lake_m, lat),
         terrain_level,
         water_level: Some(water_level),
     }))
@@ -146,6 +146,12 @@ impl Map<'_, '_> {
             }
         }
         Ok(shores)
+    }
+
+    /// A distance, unless even the coarsest tile says only that it is larger than it can tell.
+    fn known(&self, distance_m: f64, lat: f64) -> Option<f64> {
+        let reach_m = (SATURATION_TEXELS - 0.1) * texel_size_m(self.projection, 0, lat);
+        (distance_m.abs() < reach_m).then_some(distance_m)
     }
 
     fn bilinear(&mut self, layer: Layer, z: u8, (x, y): (f64, f64)) -> Result<Option<[f64; 2]>> {

@@ -183,6 +183,15 @@ impl World {
         self.slots.iter().all(|slot| matches!(slot.opening, Opening::Open(_) | Opening::Failed(_)))
     }
 
+    /// Why there is no world to show: an archive of the Mercator map that was given up.
+    pub fn failure(&self) -> Option<String> {
+        let given_up = |layer| match &self.slot(layer, Projection::Mercator).opening {
+            Opening::Failed(why) => Some(why.clone()),
+            _ => None,
+        };
+        Layer::ALL.into_iter().find_map(given_up)
+    }
+
     /// The deepest level of an archive, once it is open.
     pub fn max_zoom(&self, layer: Layer, projection: Projection) -> Option<u8> {
         Some(self.slot(layer, projection).archive()?.header().max_zoom)

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::data::fetch::now_s;
 use crate::data::tile::{Layer, MapPoint, Projection, TILE_TEXELS, TileId};
 use crate::data::world::{Outcome, World};
 use crate::data::{SharedTexels, TileTexels};
@@ -15,6 +16,8 @@ pub const PAGE_LEVELS: usize = 12;
 pub const PAGE_WINDOW: usize = 64;
 /// Tiles that each atlas holds; WebGPU promises 256 layers. Terrain 48 MiB, water 48 MiB.
 const ATLAS_LAYERS: u32 = 192;
+/// Wait before a tile that could not be had is asked for again, seconds.
+const RETRY_S: f64 = 31.0;
 
 #[derive(Clone, Copy)]
 struct Resident {
@@ -28,8 +31,10 @@ struct Atlas {
     texture: wgpu::Texture,
     pages: wgpu::Buffer,
     resident: HashMap<TileId, Resident>,
-    /// Tiles that the archive lacks or that could not be had: their parents serve.
+    /// Tiles that the archive lacks: their parents serve.
     absent: HashSet<TileId>,
+    /// Tiles that could not be had, and when to ask again, seconds: until then their parents serve.
+    failed: HashMap<TileId, f64>,
     free: Vec<u32>,
     stale: bool,
 }
@@ -50,6 +55,7 @@ impl Atlas {
             pages,
             resident: HashMap::new(),
             absent: HashSet::new(),
+            failed: HashMap::new(),
             // Slot 0 is the void that is shown before the first tile: bare sea of no known depth.
             free: (1..ATLAS_LAYERS).rev().collect(),
             stale: true,
@@ -87,7 +93,7 @@ impl Atlas {
             resident.last_used = now;
             return false;
         }
-        !self.absent.contains(&id)
+        self.failed.get(&id).is_none_or(|until| *until <= now_s())
     }
 
     fn receive(&mut self, gpu: &Gpu, id: TileId, texels: &SharedTexels, now: u64) {
@@ -154,16 +160,21 @@ impl WorldTiles {
             let atlas = &mut self.atlases[arrival.layer as usize];
             match arrival.outcome {
                 Outcome::Tile(texels) => atlas.receive(gpu, arrival.id, &texels, self.frame),
-                Outcome::Absent | Outcome::Failed(_) => _ = atlas.absent.insert(arrival.id),
+                Outcome::Absent => _ = atlas.absent.insert(arrival.id),
+                Outcome::Failed(_) => _ = atlas.failed.insert(arrival.id, now_s() + RETRY_S),
             }
         }
         for atlas in &mut self.atlases {
-            let mut wanted: Vec<TileId> = tiles.iter().flat_map(|&id| lineage(id)).collect();
+            // Also what lies under the eye, in view or not: the eye must know its ground.
+            let foot = MapPoint::from_lat_lon(camera.lat, camera.lon).tile(PAGE_LEVELS as u8 - 1);
+            let mut wanted: Vec<TileId> = tiles.iter().copied().chain([foot]).flat_map(lineage).collect();
+            let deepest = |id: &TileId| world.max_zoom(atlas.layer, id.projection).unwrap_or(0);
+            wanted.retain(|id| id.z <= deepest(id) && usize::from(id.z) < PAGE_LEVELS && !atlas.absent.contains(id));
             wanted.sort_unstable_by_key(|id| (id.z, id.projection as u8, id.y, id.x));
             wanted.dedup();
-            for id in wanted {
-                let deepest = world.max_zoom(atlas.layer, id.projection).unwrap_or(0);
-                if id.z <= deepest && usize::from(id.z) < PAGE_LEVELS && atlas.want(id, self.frame) {
+            // The coarse ones first; what the atlas cannot hold is shown through its parents.
+            for id in wanted.into_iter().take(ATLAS_LAYERS as usize - 1) {
+                if atlas.want(id, self.frame) {
                     world.request(atlas.layer, id);
                     complete = false;
                 }

@@ -69,7 +69,9 @@ impl Visibility {
             return false;
         }
         let angle = self.eye_normal.dot(b.centre.normalize()).clamp(-1.0, 1.0).acos();
-        angle < self.horizon_angle + (b.radius / WGS84.b).min(1.6) + 0.005
+        // A chord of the globe spans twice the arcsine of half of it; the whole map spans all.
+        let spread = 2.0 * (b.radius / (2.0 * WGS84.b)).min(1.0).asin();
+        angle < self.horizon_angle + spread + 0.005
     }
 }
 
@@ -99,7 +101,7 @@ pub fn visible_tiles(camera: &Camera, size: [u32; 2]) -> Vec<TileId> {
 
 /// Whether any part of a tile lies where its square is the one that serves (the polar squares beyond 84 degrees).
 fn serves(id: TileId, b: &Bounds) -> bool {
-    let reach = b.radius / WGS84.b;
+    let reach = 2.0 * (b.radius / (2.0 * WGS84.b)).min(1.0).asin();
     let limit = crate::data::tile::POLAR_LATITUDE_DEG.to_radians();
     match id.projection {
         Projection::Mercator => b.lat.abs() - reach < limit,

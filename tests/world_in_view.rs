@@ -1,0 +1,91 @@
+//! The world is there wherever the eye is: tiles, land, ground under the eye, and an end to loading.
+
+use std::time::{Duration, Instant};
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::tile::MapPoint;
+use ocean_globe::renderer::Radiance;
+use ocean_globe::scene::camera::Camera;
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::tiles::visible_tiles;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+
+#[test]
+fn an_eye_that_looks_down_sees_the_tile_below_it() {
+    for (lat, lon) in (-18..=18).flat_map(|i| (-36..36).map(move |j| (5.0 * f64::from(i), 5.0 * f64::from(j)))) {
+        for altitude in [1.0, 2_000.0, 300_000.0, 2e7] {
+            let camera = Camera::from_degrees(lat, lon, altitude, 0.0, 0.0);
+            let foot = MapPoint::from_lat_lon(camera.lat, camera.lon);
+            let tiles = visible_tiles(&camera, [640, 360]);
+            assert!(
+                tiles.iter().any(|id| foot.tile(id.z) == *id),
+                "{lat},{lon} from {altitude} m: {} tiles",
+                tiles.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn land_is_land_on_every_side_of_the_globe() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [9, 9];
+    for (name, place, class) in [
+        ("Fuji", "35.36,138.73,8000", 0.0),
+        ("Denver", "39.7,-104.9,5000", 0.0),
+        ("Sydney's hinterland", "-33.8,150.3,5000", 0.0),
+        ("Hawaii", "19.6,-155.5,9000", 0.0),
+        ("South Pole", "-90,0,5000", 0.0),
+        ("Lake Superior", "47.7,-87.5,2000", 2.0),
+        ("Tasman Sea", "-40,160,2000", 1.0),
+        ("North Pole", "90,0,2000", 1.0),
+    ] {
+        let state = render::parse_state(&format!("#view={place}&time=2026-06-21T12:00:00Z")).unwrap();
+        let seen = render::measure(&mut renderer, &state, size, LayerName::Class).unwrap();
+        assert!(seen.values.iter().all(|value| *value == class), "{name}: {:?}", seen.values);
+    }
+}
+
+#[test]
+fn the_eye_stays_over_the_ground_and_the_waves() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut eye = |fragment: &str| {
+        let state = render::parse_state(fragment).unwrap();
+        render::draw(&mut renderer, &state, [8, 8], Default::default()).unwrap();
+        renderer.eye(&state, render::instant(&state)).altitude_m
+    };
+    let pole = eye("#view=-89.99,0,500,0,80");
+    assert!((2_760.0..2_870.0).contains(&pole), "the South Pole stands 2,810 m high: {pole}");
+    // Somewhere within ten minutes a crest of a hurricane passes higher than 1 m; the eye goes up with it, never down.
+    let heights: Vec<f64> =
+        (0..10).map(|minute| eye(&format!("#view=0,-20,1,90,85&bft=12&time=2026-03-20T12:0{minute}:00Z"))).collect();
+    assert!(heights.iter().all(|h| *h >= 1.0) && heights.iter().any(|h| *h > 2.0), "{heights:?}");
+    assert_eq!(eye("#view=0,-20,-10,90,85&bft=3&time=2026-03-20T12:00:00Z"), -10.0);
+    let bed = eye("#view=0,-20,-11000,90,85&bft=3&time=2026-03-20T12:00:00Z");
+    assert!((-8_000.0..-2_000.0).contains(&bed), "{bed}");
+}
+
+#[test]
+fn a_view_that_wants_more_tiles_than_there_is_room_for_comes_to_rest() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let camera = Camera::from_degrees(20.0, -30.0, 2e7, 0.0, 0.0);
+    let frame = Frame::new(&Settings::default(), &camera, 0.0, [8192, 8192]);
+    let start = Instant::now();
+    while !renderer.load(&frame) {
+        assert!(start.elapsed() < Duration::from_secs(60), "still loading after a minute");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+#[test]
+fn a_picture_without_a_world_is_refused() {
+    let folder = std::env::temp_dir().join(format!("ocean-globe-no-world-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut renderer = render::headless(folder.to_str().unwrap(), Radiance::Half).unwrap();
+    let state = render::parse_state("#view=20,-30,2e7&time=2026-06-21T12:00:00Z").unwrap();
+    let error = render::picture(&mut renderer, &state, [16, 9]).unwrap_err().to_string();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(error.contains("terrain.pmtiles"), "{error}");
+}
