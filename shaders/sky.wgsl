@@ -24,5 +24,6 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));
     let above = step(surface_hit(eye_ray(direction)), 0.0);
     let sun = min(disc * above * 6.0e4, 6.0e4) * scattered.transmittance * 0.005;
-    return vec4f((scattered.radiance + sun) * frame.exposure, 1.0);
+    let night = NIGHT * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT);
+    return vec4f((scattered.radiance + sun + night) * frame.exposure, 1.0);
 }

@@ -21,7 +21,7 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
 fn sky_irradiance_at(mu_sun: f32) -> vec3f {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
-    return textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT * PI;
+    return textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT_IRRADIANCE;
 }
 
 fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

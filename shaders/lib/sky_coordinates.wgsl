@@ -1,7 +1,9 @@
 // Coordinates of the skylight tables: denser towards the horizon and towards low suns.
 
 const SUN_COSINE_FROM = -0.3;      // below it the table's sky is night
-const NIGHT = vec3f(2.0e-4, 2.6e-4, 4.0e-4);                // brighter than any moon, so that the dark side can be made out
+// Brighter than any moon, so that the dark side can be made out: radiance of the night sky, irradiance of the ground.
+const NIGHT = vec3f(1.2e-4, 1.7e-4, 3.0e-4);
+const NIGHT_IRRADIANCE = vec3f(0.006, 0.008, 0.012);
 
 fn sun_coordinate(mu_sun: f32) -> f32 {
     let x = clamp((mu_sun - SUN_COSINE_FROM) / (1.0 - SUN_COSINE_FROM), 0.0, 1.0);

@@ -259,7 +259,7 @@ fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     // From space it adapts where next to nothing of the disc below is lit.
     let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
     let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
-    u.exposure = (4.6 * night_gain.powf(low) * 14f64.powf(dark * (1.0 - low))) as f32;
+    u.exposure = (4.6 * night_gain.powf(low) * 5f64.powf(dark * (1.0 - low))) as f32;
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
