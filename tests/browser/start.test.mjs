@@ -1,6 +1,7 @@
 // The page comes up in a real browser and shows the globe.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { Globe, launch } from "./lib/browser.mjs";
 import { colourAt, kindOf, shares } from "./lib/picture.mjs";
@@ -42,6 +43,19 @@ test("the coast lies where it is: sea in the west, land in the east", async () =
   const east = colourAt(picture, 0.75, 0.4);
   assert.equal(kindOf(west), "sea", `west: ${west}`);
   assert.equal(kindOf(east), "land", `east: ${east}`);
+  await globe.close();
+});
+
+test("the waves have the same bits as natively", async () => {
+  const { cases } = JSON.parse(await readFile(new URL("../oracles/same_sea.json", import.meta.url)));
+  const globe = await Globe.open(browser, product.address, { fragment: COAST, query: "?panel=off" });
+  await globe.settled();
+  const found = await globe.page.evaluate(async (seas) => {
+    const program = await import(document.getElementById("program").href);
+    return seas.map(({ seed, speed_mps }) => program.h0_hash(seed, speed_mps));
+  }, cases);
+  assert.ok(cases.length > 0);
+  assert.deepEqual(found, cases.map(({ hash }) => hash));
   await globe.close();
 });
 
