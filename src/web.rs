@@ -12,6 +12,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, Window};
 
 use crate::app::page::Page;
+use crate::app::clock::unix_now_s;
 use crate::app::{App, Options};
 use crate::data::world::World;
 use crate::error::{Error, Result};
@@ -19,6 +20,7 @@ use crate::gpu::{Gpu, context::device_descriptor};
 use crate::model::waves;
 use crate::renderer::Renderer;
 use crate::scene::view_state::ViewState;
+use crate::scene::views;
 
 /// Starts the globe on a canvas, with the world's tiles below `data_base`.
 ///
@@ -51,7 +53,10 @@ async fn run(canvas: HtmlCanvasElement, data_base: &str) -> Result<()> {
     let page = WebPage::new(canvas.clone())?;
     let search = page.window.location().search().unwrap_or_default();
     let panel = !search.trim_start_matches('?').split('&').any(|pair| pair == "panel=off");
-    let (state, errors) = ViewState::parse_fragment(&page.fragment(), None);
+    let (mut state, errors) = ViewState::parse_fragment(&page.fragment(), None);
+    if page.fragment().trim_start_matches('#').is_empty() {
+        state = views::opening(unix_now_s());
+    }
     errors.iter().for_each(|error| log::warn!("link: {error}"));
     let options = eframe::WebOptions {
         wgpu_options: egui_wgpu::WgpuConfiguration { wgpu_setup: WgpuSetup::Existing(setup), ..Default::default() },

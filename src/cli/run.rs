@@ -1,5 +1,6 @@
 //! `ocean-globe run`: the same program in a window.
 
+use crate::app::clock::unix_now_s;
 use crate::app::page::NoPage;
 use crate::app::{self, App, Options};
 use crate::data::world::World;
@@ -7,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::renderer::Renderer;
 use crate::scene::view_state::ViewState;
+use crate::scene::views;
 
 /// Open the globe in a window.
 #[derive(Debug, Clone, clap::Args)]
@@ -33,7 +35,10 @@ pub struct RunArgs {
 /// # Errors
 /// [`Error::Gpu`] where no window or no device can be had.
 pub fn run(args: &RunArgs) -> Result<()> {
-    let (state, errors) = ViewState::parse_fragment(&args.state, None);
+    let (mut state, errors) = ViewState::parse_fragment(&args.state, None);
+    if args.state.is_empty() {
+        state = views::opening(unix_now_s());
+    }
     errors.iter().for_each(|error| log::warn!("--state: {error}"));
     let mut wgpu_options = egui_wgpu::WgpuConfiguration::default();
     if let egui_wgpu::WgpuSetup::CreateNew(setup) = &mut wgpu_options.wgpu_setup {

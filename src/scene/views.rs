@@ -1,6 +1,8 @@
 //! The named views: from orbit to the deck, and the sea in four winds. Fixed times, so that each looks the same for everyone.
 
+use super::camera::Camera;
 use super::view_state::ViewState;
+use crate::model::sun;
 
 /// A view with a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +34,14 @@ pub const VIEWS: [View; 8] = [
         fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&time=2026-11-20T12:00:00Z",
     },
 ];
+
+/// What opens where no link says anything: the default view, turned to the side of the earth that has day at a UTC instant in
+/// seconds since 1970.
+pub fn opening(unix_seconds: f64) -> ViewState {
+    let (_, noon_lon) = sun::subsolar_point(unix_seconds);
+    let default = ViewState::default();
+    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), ..default }
+}
 
 impl View {
     /// The state that the view stands for.
