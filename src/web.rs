@@ -11,8 +11,8 @@ use egui_wgpu::{WgpuSetup, WgpuSetupExisting, wgpu};
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, Window};
 
-use crate::app::page::Page;
 use crate::app::clock::unix_now_s;
+use crate::app::page::Page;
 use crate::app::{App, Options};
 use crate::data::world::World;
 use crate::error::{Error, Result};
