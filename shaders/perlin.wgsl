@@ -1,6 +1,7 @@
 // The far sea: octaves of tileable gradient noise (K. Perlin 1985, 2002), stretched across the wind, drifting and
 // changing with time, with slopes by central differences of four neighbours.
 // Output (height, dh/dx, dh/dy, 0): unit standard deviation; slopes per metre of the patch.
+#import hash
 
 struct PerlinSettings {
     // Per octave: drift downwind as a fraction of the patch, turn of the lattice gradients in radians, amplitude, unused.
@@ -16,17 +17,6 @@ struct PerlinSettings {
 
 const OCTAVES = 4u;
 const TURN = 6.283185307179586;
-
-fn hash(p: vec3u) -> u32 {
-    // PCG3D (M. Jarzynski and M. Olano 2020), one word of it.
-    var v = p * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> vec3u(16u);
-    v.x += v.y * v.z;
-    return v.x;
-}
 
 // Gradient noise whose lattice gradients turn slowly, so that the field lives; period `cells`.
 fn noise(p: vec2f, cells: vec2u, octave: u32, turn: f32) -> f32 {

@@ -1,18 +1,9 @@
-// Cheap value noise for colours; nothing that is measured depends on it.
-
-fn hash_word(p: vec3u) -> u32 {
-    var v = p * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> vec3u(16u);
-    v.x += v.y * v.z;
-    return v.x;
-}
+// Cheap gradient noise for colours; nothing that is measured depends on it.
+#import hash
 
 // Slope of the lattice point's plane along an offset: one of eight directions.
 fn plane(cell: vec2u, salt: u32, offset: vec2f) -> f32 {
-    let angle = f32(hash_word(vec3u(cell, salt)) >> 29u) * 0.78539816;
+    let angle = f32(hash(vec3u(cell, salt)) >> 29u) * 0.78539816;
     return dot(vec2f(cos(angle), sin(angle)), offset);
 }
 

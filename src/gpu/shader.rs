@@ -8,6 +8,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
     ("frame", include_str!("../../shaders/lib/frame.wgsl")),
+    ("hash", include_str!("../../shaders/lib/hash.wgsl")),
     ("light", include_str!("../../shaders/lib/light.wgsl")),
     ("map", include_str!("../../shaders/lib/map.wgsl")),
     ("noise", include_str!("../../shaders/lib/noise.wgsl")),
