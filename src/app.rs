@@ -87,7 +87,7 @@ impl App {
         let picture = Picture::new(&gpu.device, render_state.target_format);
         // The page's own zoom does this, and does it for the picture too.
         host.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
-        host.egui_ctx.set_visuals(egui::Visuals::dark());
+        host.egui_ctx.set_theme(egui::Theme::Dark);
         Ok(Self {
             gpu,
             renderer,
