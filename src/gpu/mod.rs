@@ -1,6 +1,7 @@
 //! Floor 3: how to speak wgpu. Knows nothing of oceans.
 
 pub mod context;
+pub mod mesh;
 pub mod mips;
 pub mod pipeline;
 pub mod readback;

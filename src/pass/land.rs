@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use crate::data::tile::TileId;
+use crate::gpu::mesh::grid_triangles;
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
@@ -38,12 +39,7 @@ fn mesh() -> (Vec<[f32; 2]>, Vec<u32>) {
     let side = GRID + 3;
     let at = |i: u32| i as f32 - 1.0;
     let vertices = (0..side * side).map(|v| [at(v % side), at(v / side)]).collect();
-    let cell = |x: u32, y: u32| {
-        let v = y * side + x;
-        [v, v + side, v + 1, v + 1, v + side, v + side + 1]
-    };
-    let indices = (0..side - 1).flat_map(|y| (0..side - 1).flat_map(move |x| cell(x, y))).collect();
-    (vertices, indices)
+    (vertices, grid_triangles(side - 1, side - 1))
 }
 
 impl Land {

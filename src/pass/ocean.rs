@@ -1,5 +1,6 @@
 //! The sea: a grid projected from the screen onto the ellipsoid, over the scene that land and sky have left.
 
+use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
 
@@ -28,12 +29,7 @@ fn mesh(size: [u32; 2]) -> (Vec<[f32; 2]>, Vec<u32>) {
     let [columns, rows] = size.map(|pixels| pixels.div_ceil(CELL_PIXELS).clamp(16, MOST_CELLS));
     let at = |i: u32, n: u32| 2.0 * i as f32 / n as f32 - 1.0;
     let row = |j: u32| (0..=columns).map(move |i| [at(i, columns), at(j, rows)]);
-    let cell = |i: u32, j: u32| {
-        let v = j * (columns + 1) + i;
-        [v, v + 1, v + columns + 1, v + 1, v + columns + 2, v + columns + 1]
-    };
-    let indices = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| cell(i, j))).collect();
-    ((0..=rows).flat_map(row).collect(), indices)
+    ((0..=rows).flat_map(row).collect(), grid_triangles(columns, rows))
 }
 
 impl Ocean {
