@@ -1,5 +1,5 @@
 // Two dispatches make the sea surface of every cascade: rows evolve the spectrum and transform it along x, columns finish
-// along y and write eight real fields. Stockham, radix 4 with one radix-2 stage where log2 N is odd; N is prepended.
+// along y and write eight real fields and the products whose means become roughness. Stockham, radix 4 with one radix-2 stage where log2 N is odd; N is prepended.
 // Eight real fields ride in four complex ones: IFFT(A + iB) = a + ib for Hermitian A, B. Formulas: src/model/waves.rs.
 
 struct Evolution {
@@ -16,6 +16,7 @@ struct Evolution {
 @group(0) @binding(4) var<storage, read_write> halfway: array<vec4f>;   // two per element
 @group(0) @binding(5) var displacements: texture_storage_2d_array<FORMAT, write>;
 @group(0) @binding(6) var gradients: texture_storage_2d_array<FORMAT, write>;
+@group(0) @binding(7) var moments: texture_storage_2d_array<FORMAT, write>;
 
 const TURN = 6.283185307179586;
 const THREADS = N / 4u;
@@ -172,6 +173,9 @@ fn columns(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) 
     for (var j = thread; j < N; j += THREADS) {
         let at = vec2u(group.x, j);
         textureStore(displacements, at, group.y, shared_ab[j] * unscaled);
-        textureStore(gradients, at, group.y, shared_cd[j]);
+        let gradient = shared_cd[j];
+        let divergence = gradient.z + gradient.w;
+        textureStore(gradients, at, group.y, gradient);
+        textureStore(moments, at, group.y, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, divergence * divergence));
     }
 }

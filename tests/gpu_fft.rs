@@ -14,8 +14,8 @@ fn gpu() -> Gpu {
     pollster::block_on(Gpu::headless()).expect("a graphics device, software or not")
 }
 
-/// The eight fields of every cascade: Dx, Dy, h, Dxy, hx, hy, Dxx, Dyy.
-fn transformed(gpu: &Gpu, n: usize, cascades: &[Cascade], data: &WaveData, ticks: u64) -> Vec<[Vec<f64>; 8]> {
+/// The pass after one frame at `ticks`, mips included.
+fn dispatched(gpu: &Gpu, n: usize, cascades: &[Cascade], data: &WaveData, ticks: u64) -> Fft {
     let mut fft = Fft::new(gpu, n, cascades.len(), Precision::Single);
     fft.set_waves(gpu, cascades, data);
     fft.set_time(gpu, ticks);
@@ -26,16 +26,26 @@ fn transformed(gpu: &Gpu, n: usize, cascades: &[Cascade], data: &WaveData, ticks
         fft.dispatch_mips(&mut pass);
     }
     gpu.queue.submit([encoder.finish()]);
-    let floats = |texture, layer| -> Vec<f32> {
-        let bytes = gpu.read_texture(texture, layer, 0).unwrap();
-        bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
+    fft
+}
+
+/// All channels of one layer of one mip level, texel after texel.
+fn floats(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, mip: u32) -> Vec<f32> {
+    let bytes = gpu.read_texture(texture, layer, mip).unwrap();
+    bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+/// The eight fields of every cascade: Dx, Dy, h, Dxy, hx, hy, Dxx, Dyy.
+fn transformed(gpu: &Gpu, n: usize, cascades: &[Cascade], data: &WaveData, ticks: u64) -> Vec<[Vec<f64>; 8]> {
+    let fft = dispatched(gpu, n, cascades, data, ticks);
+    let channel = |texture, layer, channel| -> Vec<f64> {
+        floats(gpu, texture, layer, 0).iter().skip(channel).step_by(4).map(|&x| f64::from(x)).collect()
     };
     (0..cascades.len() as u32)
         .map(|layer| {
-            let (d, g) = (floats(&fft.displacements, layer), floats(&fft.gradients, layer));
             std::array::from_fn(|field| {
-                let (source, channel) = if field < 4 { (&d, field) } else { (&g, field - 4) };
-                source.iter().skip(channel).step_by(4).map(|&x| f64::from(x)).collect()
+                let texture = if field < 4 { &fft.displacements } else { &fft.gradients };
+                channel(texture, layer, field % 4)
             })
         })
         .collect()
@@ -92,6 +102,42 @@ fn a_whole_sea_agrees_with_the_model_decades_from_now() {
             let error = worst_over_rms(&got[index][field], want);
             println!("cascade {index} field {field}: {error:.2e}");
             assert!(error < TOLERANCE, "cascade {index} field {field}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn moments_are_products_of_the_gradients_and_mips_are_plain_means() {
+    let gpu = gpu();
+    let n = 64;
+    let tables = SeaTables::new(Sea::from_wind(10.0, 3, 1.0), n);
+    let fft = dispatched(&gpu, n, &tables.cascades, &WaveData::of(&tables), 1 << 40);
+    for layer in 0..tables.cascades.len() as u32 {
+        let gradients = floats(&gpu, &fft.gradients, layer, 0);
+        let moments = floats(&gpu, &fft.moments, layer, 0);
+        for (g, m) in gradients.chunks(4).zip(moments.chunks(4)) {
+            let want = [g[0] * g[0], g[1] * g[1], g[0] * g[1], (g[2] + g[3]) * (g[2] + g[3])];
+            // One rounding of a sum and one of a product: 2^-22 of the value.
+            let close = |(a, b): (&f32, &f32)| (a - b).abs() <= b.abs() * 2f32.powi(-22);
+            assert!(m.iter().zip(&want).all(close), "{m:?} {want:?}");
+        }
+    }
+    for texture in [&fft.displacements, &fft.gradients, &fft.moments] {
+        assert_eq!(texture.mip_level_count(), n.ilog2() - 1);
+        let first = floats(&gpu, texture, 1, 0);
+        let rms = (first.iter().map(|x| f64::from(x * x)).sum::<f64>() / first.len() as f64).sqrt();
+        for mip in 1..texture.mip_level_count() {
+            let side = n >> mip;
+            let block = 1 << mip;
+            let got = floats(&gpu, texture, 1, mip);
+            for (index, &value) in got.iter().enumerate() {
+                let (x, y, channel) = (index / 4 % side, index / 4 / side, index % 4);
+                let at = |s: usize| 4 * ((y * block + s / block) * n + x * block + s % block) + channel;
+                let mean = (0..block * block).map(|s| f64::from(first[at(s)])).sum::<f64>() / (block * block) as f64;
+                // Three roundings per level of values of at most some 8 RMS.
+                let error = (f64::from(value) - mean).abs() / rms;
+                assert!(error < 3.0 * 8.0 * 6e-8 * f64::from(mip), "mip {mip} texel {x},{y}: {error:e}");
+            }
         }
     }
 }

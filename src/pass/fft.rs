@@ -86,12 +86,14 @@ pub struct Fft {
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
     group: wgpu::BindGroup,
-    mips: [MipChain; 2],
+    mips: [MipChain; 3],
     cascades: Vec<Cascade>,
     /// (Dx, Dy, height, dDx/dy) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
     /// (dh/dx, dh/dy, dDx/dx, dDy/dy).
     pub gradients: wgpu::Texture,
+    /// ((dh/dx)², (dh/dy)², dh/dx · dh/dy, (dDx/dx + dDy/dy)²): the means in its mip levels are what a pixel cannot resolve.
+    pub moments: wgpu::Texture,
 }
 
 impl Fft {
@@ -102,10 +104,11 @@ impl Fft {
         let mips = n.ilog2() + 1 - 2;
         let shape = Shape::array(n as u32, layers as u32, mips);
         let make = |label| gpu.texture(label, shape, format, T::STORAGE_BINDING | T::COPY_SRC);
-        let (displacements, gradients) = (make("displacements"), make("gradients"));
+        let [displacements, gradients, moments] = ["displacements", "gradients", "moments"].map(make);
         let write = Bind::Write(format, D2Array);
         let compute = wgpu::ShaderStages::COMPUTE;
-        let binds = [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write];
+        let binds =
+            [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write, write];
         let layout = gpu.layout("fft", compute, &binds);
         let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
 
@@ -133,9 +136,10 @@ impl Fft {
                 halfway.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&level(&displacements, 0)),
                 wgpu::BindingResource::TextureView(&level(&gradients, 0)),
+                wgpu::BindingResource::TextureView(&level(&moments, 0)),
             ],
         );
-        let mips = [&displacements, &gradients].map(|t| MipChain::new(gpu, t, precision.format().1));
+        let mips = [&displacements, &gradients, &moments].map(|t| MipChain::new(gpu, t, precision.format().1));
         Self {
             n,
             rows,
@@ -148,6 +152,7 @@ impl Fft {
             cascades: Vec::new(),
             displacements,
             gradients,
+            moments,
         }
     }
 
