@@ -172,10 +172,10 @@ fn columns(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) 
     let unscaled = vec4f(1.0, 1.0, 1.0, 1.0 / gradient_scale(evolution.patches[group.y]));
     for (var j = thread; j < N; j += THREADS) {
         let at = vec2u(group.x, j);
-        textureStore(displacements, at, group.y, shared_ab[j] * unscaled);
+        let displacement = shared_ab[j] * unscaled;
         let gradient = shared_cd[j];
-        let divergence = gradient.z + gradient.w;
+        textureStore(displacements, at, group.y, displacement);
         textureStore(gradients, at, group.y, gradient);
-        textureStore(moments, at, group.y, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, divergence * divergence));
+        textureStore(moments, at, group.y, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, displacement.w));
     }
 }

@@ -68,6 +68,10 @@ pub enum BoxMuller1958 {}
 /// 19, 297–301. <https://doi.org/10.1090/S0025-5718-1965-0178586-1>
 pub enum CooleyTukey1965 {}
 
+/// Perlin, K. (1985), *An image synthesizer*, SIGGRAPH Comput. Graph. 19(3), 287–296; the quintic fade is of his *Improving
+/// noise* (2002), <https://doi.org/10.1145/566654.566636>. <https://doi.org/10.1145/325165.325247>
+pub enum Perlin1985 {}
+
 /// Monahan, E. C. and O'Muircheartaigh, I. (1980), *Optimal power-law description of oceanic whitecap coverage dependence on
 /// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010<2094:OPLDOO>2.0.CO;2>
 pub enum Monahan1980 {}

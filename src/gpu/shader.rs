@@ -7,6 +7,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
+    ("foam", include_str!("../../shaders/lib/foam.wgsl")),
     ("frame", include_str!("../../shaders/lib/frame.wgsl")),
     ("hash", include_str!("../../shaders/lib/hash.wgsl")),
     ("light", include_str!("../../shaders/lib/light.wgsl")),

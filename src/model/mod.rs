@@ -7,9 +7,11 @@
 pub mod dispersion;
 pub mod earth;
 pub mod fft;
+pub mod foam;
 pub mod geodesic;
 pub mod noise;
 pub mod optics;
+pub mod perlin;
 pub mod quadrature;
 pub mod sea_bed;
 pub mod sea_state;

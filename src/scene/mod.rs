@@ -4,6 +4,7 @@
 
 pub mod camera;
 pub mod flight;
+pub mod foam;
 pub mod fragment;
 pub mod frame;
 pub mod inertia;

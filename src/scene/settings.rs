@@ -62,18 +62,30 @@ pub struct Swell {
     pub from_deg: f64,
 }
 
+/// Where foam lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FoamRule {
+    /// Where the chop folds the surface; it grows, stays behind and fades.
+    #[default]
+    Folding,
+    /// On high water: saturate((H − H0)/(Hmax − H0)), with no memory.
+    Height,
+}
+
 /// Whitecaps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Foam {
-    /// Amount, 1 = as the waves fold; 0 to 3.
+    /// Amount, 1 = the share that is measured at sea in such a wind; 0 to 3.
     pub amount: f64,
     /// Time in seconds after which a patch has faded to 1/e, 0.1 to 60.
     pub lifetime_s: f64,
+    /// Where it lies.
+    pub rule: FoamRule,
 }
 
 impl Default for Foam {
     fn default() -> Self {
-        Self { amount: 1.0, lifetime_s: 3.5 }
+        Self { amount: 1.0, lifetime_s: 3.5, rule: FoamRule::default() }
     }
 }
 
