@@ -76,10 +76,19 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
     let g = evolution.scales[2u * group.y + 1u];
     var ab: array<vec4f, 8>;
     var cd: array<vec4f, 8>;
-    // (Dx, Dy), (h, dDx/dy), (dh/dx, dh/dy), (dDx/dx, dDy/dy): the second of a pair is multiplied by i.
-#unroll 8    let h_$ = evolved(at + $u * SPAN, row, base);
+    // Rolled up, since it is most of the code: drivers that take seconds for long shaders see two of eight. Two, so that the
+    // loads of one hide behind those of the other. Each thread reads back the slots that it has written itself.
+    for (var i = at; i < N; i += 2u * SPAN) {
+        let near = evolved(i, row, base);
+        let far = evolved(i + SPAN, row, base);
+        keep(slot(i, line), near);
+        keep(slot(i + SPAN, line), far);
+    }
+#unroll 8    let h_$ = kept(slot(at + $u * SPAN, line));
+    workgroupBarrier();
 #unroll 8    let kx_$ = wavenumber(at + $u * SPAN) * dk;
 #unroll 8    let u_$ = vec2f(kx_$, ky) / max(length(vec2f(kx_$, ky)), 1e-9);
+    // (Dx, Dy), (h, dDx/dy), (dh/dx, dh/dy), (dDx/dx, dDy/dy): the second of a pair is multiplied by i.
 #unroll 8    ab[$] = vec4f(times(vec2f(-d.y * u_$.y, d.x * u_$.x), h_$), times(vec2f(d.z, -d.w * kx_$ * u_$.y), h_$));
 #unroll 8    cd[$] = vec4f(times(vec2f(-g.y * ky, g.x * kx_$), h_$), times(vec2f(-g.z * kx_$ * u_$.x, -g.w * ky * u_$.y), h_$));
     inverse(&ab, &cd, line, at);

@@ -54,16 +54,18 @@ fn stage(v: array<vec4f, 8>, w: array<vec2f, 8>) -> array<vec4f, 8> {
         twist(v[4], w[4]), twist(v[5], w[5]), twist(v[6], w[6]), twist(v[7], w[7])));
 }
 
+// Where outputs go: output r of the last stage to start + r * step + (r / FIRST) * jump. A first stage of radix 4 or 2 has
+// several butterflies per thread, and theirs stand FIRST * SPAN elements apart.
+struct Route { start: u32, step: u32, jump: u32 }
+
+fn routed(to: Route, r: u32) -> u32 { return to.start + r * to.step + (r / FIRST) * to.jump; }
+
 fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>>, line: u32, at: u32) {
     *ab = first_stage(*ab);
     *cd = first_stage(*cd);
-    // Output r of the last stage stands at start + r * step + (r / FIRST) * jump: a first stage of radix 4 or 2 has several
-    // butterflies per thread, FIRST * SPAN elements apart.
-    var start = FIRST * at;
-    var step = 1u;
-    var jump = FIRST * (SPAN - 1u);
+    var to = Route(FIRST * at, 1u, FIRST * (SPAN - 1u));
     for (var stride = FIRST; stride < N; stride *= 8u) {
-        exchange(ab, cd, line, at, start, step, jump);
+        exchange(ab, cd, line, at, to);
         let phase = at % stride;
         let turn = phase * (SPAN / stride);
         let w1 = twiddles[turn];
@@ -73,9 +75,7 @@ fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>
         let w = array<vec2f, 8>(vec2f(1.0, 0.0), w1, w2, w3, w4, times(w1, w4), times(w2, w4), times(w3, w4));
         *ab = stage(*ab, w);
         *cd = stage(*cd, w);
-        start = (at / stride) * stride * 8u + phase;
-        step = stride;
-        jump = 0u;
+        to = Route((at / stride) * stride * 8u + phase, stride, 0u);
     }
 }
 
