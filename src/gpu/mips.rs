@@ -1,13 +1,20 @@
-//! Mip levels of a texture that a compute pass has filled.
+//! Mip levels of a texture that a compute pass has filled: up to four levels in a dispatch.
 
 use super::pipeline::Bind;
-use super::{Gpu, shader, texture};
+use super::texture::{self, Shape};
+use super::{Gpu, shader};
 
-/// The dispatches that make every mip level of one square texture array from its first.
+/// Levels of one dispatch: the storage textures that WebGPU allows a shader.
+const LEVELS: u32 = 4;
+/// Texels of the finest level along a side of a workgroup.
+const REACH: u32 = 16;
+
+/// The dispatches that make every mip level of some square texture arrays of one size from their first.
 pub struct MipChain {
     pipeline: wgpu::ComputePipeline,
-    groups: Vec<wgpu::BindGroup>,
-    side: u32,
+    /// For each dispatch its bindings and its workgroups along a side. Those of all textures come before the next levels, so
+    /// that the device waits for finished levels once per four levels and not once per texture.
+    steps: Vec<(wgpu::BindGroup, u32)>,
     layers: u32,
 }
 
@@ -19,26 +26,51 @@ pub fn source(format: &str) -> String {
 impl MipChain {
     /// The chain of `texture`, whose format is called `format` in WGSL.
     pub fn new(gpu: &Gpu, texture: &wgpu::Texture, format: &str) -> Self {
-        use wgpu::TextureViewDimension::D2Array;
-        let binds = [Bind::Texels(D2Array), Bind::Write(texture.format(), D2Array)];
-        let layout = gpu.layout("mips", wgpu::ShaderStages::COMPUTE, &binds);
-        let [pipeline] = gpu.compute("mips", &source(format), &[&layout], ["halve"]);
-        let groups = (1..texture.mip_level_count())
-            .map(|mip| {
-                let views = [mip - 1, mip].map(|level| texture::mip_view(texture, level));
-                gpu.bind("mips", &layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
-            })
-            .collect();
-        Self { pipeline, groups, side: texture.width(), layers: texture.depth_or_array_layers() }
+        Self::of(gpu, &[texture], format)
     }
 
-    /// One dispatch per level.
+    /// The chains of textures that are alike in size, layers, levels and format (called `format` in WGSL).
+    pub fn of(gpu: &Gpu, textures: &[&wgpu::Texture], format: &str) -> Self {
+        use wgpu::TextureViewDimension::D2Array;
+        let like = textures[0];
+        let write = Bind::Write(like.format(), D2Array);
+        let layout =
+            gpu.layout("mips", wgpu::ShaderStages::COMPUTE, &[Bind::Texels(D2Array), write, write, write, write]);
+        let [pipeline] = gpu.compute("mips", &source(format), &[&layout], ["halve"]);
+        // Stand in for levels beyond the last: each binding has its own, since none may be bound twice for writing.
+        let unwanted = (1..LEVELS).map(|_| {
+            let usage = wgpu::TextureUsages::STORAGE_BINDING;
+            texture::array_view(&gpu.texture("unwanted", Shape::array(1, 1, 1), like.format(), usage))
+        });
+        let unwanted: Vec<_> = unwanted.collect();
+        let last = like.mip_level_count() - 1;
+        let mut steps = Vec::new();
+        for from in (0..last).step_by(LEVELS as usize) {
+            for texture in textures {
+                let views = (from..=from + LEVELS).map(|level| match level.checked_sub(last + 1) {
+                    None => texture::mip_view(texture, level),
+                    Some(beyond) => unwanted[beyond as usize].clone(),
+                });
+                let views: Vec<_> = views.collect();
+                let resources: Vec<_> = views.iter().map(wgpu::BindingResource::TextureView).collect();
+                let groups = (texture.width() >> from).div_ceil(REACH);
+                steps.push((gpu.bind("mips", &layout, &resources), groups));
+            }
+        }
+        Self { pipeline, steps, layers: like.depth_or_array_layers() }
+    }
+
+    /// One dispatch per four levels of each texture.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
         pass.set_pipeline(&self.pipeline);
-        for (mip, group) in (1..).zip(&self.groups) {
-            let groups = (self.side >> mip).div_ceil(8);
+        for (group, groups) in &self.steps {
             pass.set_bind_group(0, group, &[]);
-            pass.dispatch_workgroups(groups, groups, self.layers);
+            pass.dispatch_workgroups(*groups, *groups, self.layers);
         }
+    }
+
+    /// Dispatches of one [`MipChain::dispatch`].
+    pub fn dispatches(&self) -> usize {
+        self.steps.len()
     }
 }

@@ -1,4 +1,6 @@
-//! WGSL with `#import name`: each library of `shaders/lib` is inserted once, before its first user.
+//! WGSL with two directives of its own, each at the start of a line. `#import name` inserts a library of `shaders/lib` once, before
+//! its first user. `#unroll 8 statement` repeats the statement with 0…7 for every `$`: an array that stays in registers must be
+//! indexed by constants, and not every driver unrolls a loop to get there.
 
 use std::collections::HashSet;
 
@@ -7,6 +9,9 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
+    ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
+    ("exchange_2", include_str!("../../shaders/lib/exchange_2.wgsl")),
+    ("exchange_4", include_str!("../../shaders/lib/exchange_4.wgsl")),
     ("foam", include_str!("../../shaders/lib/foam.wgsl")),
     ("frame", include_str!("../../shaders/lib/frame.wgsl")),
     ("hash", include_str!("../../shaders/lib/hash.wgsl")),
@@ -15,6 +20,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("noise", include_str!("../../shaders/lib/noise.wgsl")),
     ("output", include_str!("../../shaders/lib/output.wgsl")),
     ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
+    ("stockham", include_str!("../../shaders/lib/stockham.wgsl")),
     ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),
     ("water", include_str!("../../shaders/lib/water.wgsl")),
     ("waves", include_str!("../../shaders/lib/waves.wgsl")),
@@ -32,8 +38,21 @@ pub fn composed(source: &str, definitions: &str) -> String {
     text
 }
 
+/// Count and statement of an `#unroll` line.
+fn unrolled(line: &str) -> Option<(usize, &str)> {
+    let (count, statement) = line.strip_prefix("#unroll ")?.split_once(' ')?;
+    Some((count.parse().ok()?, statement))
+}
+
 fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
     for line in source.lines() {
+        if let Some((count, statement)) = unrolled(line) {
+            for i in 0..count {
+                text.push_str(&statement.replace('$', &i.to_string()));
+                text.push('\n');
+            }
+            continue;
+        }
         let Some(name) = line.strip_prefix("#import ") else {
             text.push_str(line);
             text.push('\n');
@@ -55,5 +74,11 @@ mod tests {
         assert_eq!(text.matches("struct Frame {").count(), 1);
         assert!(text.starts_with("const N = 4u;"));
         assert!(text.find("struct Frame").unwrap() < text.find("fn own").unwrap());
+    }
+
+    #[test]
+    fn unrolled_statements_come_once_for_each_number() {
+        let text = super::composed("#unroll 3 a[$] = $u;\nb", "");
+        assert_eq!(text, "\na[0] = 0u;\na[1] = 1u;\na[2] = 2u;\nb\n");
     }
 }

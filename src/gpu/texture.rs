@@ -85,3 +85,14 @@ pub fn mip_view(texture: &wgpu::Texture, mip: u32) -> wgpu::TextureView {
         ..Default::default()
     })
 }
+
+/// The first mip level of some layers, as an array of pictures.
+pub fn layers_view(texture: &wgpu::Texture, layers: &std::ops::Range<usize>) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2Array),
+        mip_level_count: Some(1),
+        base_array_layer: layers.start as u32,
+        array_layer_count: Some(layers.len() as u32),
+        ..Default::default()
+    })
+}

@@ -1,4 +1,12 @@
 //! The waves: spectrum in time, two-dimensional inverse FFT of eight fields for every cascade in two dispatches, mip levels.
+//!
+//! A dispatch takes all cascades whose intermediate values fit into one storage binding (128 MiB by default):
+//!
+//! ```text
+//!                  bytes per element   four cascades of 256² … 1024²   of 2048²
+//!  Precision::Half                16                    2 dispatches          4
+//!  Precision::Single              32                    2 dispatches          8
+//! ```
 
 use bytemuck::{Pod, Zeroable};
 
@@ -6,8 +14,10 @@ use crate::gpu::mips::MipChain;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
-use crate::model::waves::{self, Cascade};
-use crate::scene::sea::SeaTables;
+use crate::model::waves::Cascade;
+
+mod data;
+pub use data::{WaveData, scales, words};
 
 /// Mirrors `Evolution` in `shaders/fft.wgsl`.
 #[repr(C)]
@@ -18,6 +28,7 @@ pub struct Evolution {
     pub cascade_count: u32,
     pub unused: u32,
     pub patches: [f32; 4],
+    pub scales: [[f32; 4]; 8],
 }
 
 /// The storage of the wave textures.
@@ -37,44 +48,45 @@ impl Precision {
             Self::Single => (wgpu::TextureFormat::Rgba32Float, "rgba32float"),
         }
     }
-}
 
-/// Amplitudes and frequencies of all cascades, one after another: what the waves of a sea are made of.
-#[derive(Clone, Debug, Default)]
-pub struct WaveData {
-    /// h0(k), metres.
-    pub amplitudes: Vec<[f32; 2]>,
-    /// Cycles per tick in fixed point, low and high word.
-    pub frequencies: Vec<[u32; 2]>,
-}
-
-impl WaveData {
-    /// Appends one cascade from f64 amplitudes and frequencies (rad/s) in wave index order.
-    pub fn push(&mut self, amplitudes: &[[f64; 2]], omegas: &[f64]) {
-        self.amplitudes.extend(amplitudes.iter().map(|h| h.map(|x| x as f32)));
-        self.frequencies.extend(omegas.iter().map(|&omega| words(waves::cycles_per_tick(omega))));
-    }
-
-    /// All cascades of a sea.
-    pub fn of(tables: &SeaTables) -> Self {
-        let mut data = Self::default();
-        for (i, cascade) in tables.cascades.iter().enumerate() {
-            let amplitudes = waves::initial_amplitudes(&tables.sea, i, cascade);
-            data.push(&amplitudes, &waves::angular_frequencies(cascade));
+    /// Bytes of an element of the four complex fields between the two dispatches.
+    pub fn bytes_halfway(self) -> u64 {
+        match self {
+            Self::Half => 16,
+            Self::Single => 32,
         }
-        data
     }
 }
 
-/// Low and high word.
-pub fn words(x: u64) -> [u32; 2] {
-    [x as u32, (x >> 32) as u32]
+/// How a workgroup of the pass is made for tiles of `n` samples: (lines, complex fields per exchange). Eight elements per thread;
+/// lines and fields are chosen so that at least 64 threads work together (from 128 samples) and the exchange fits into the
+/// 16,384 bytes of workgroup memory.
+fn workgroup(n: usize) -> (usize, usize) {
+    match n {
+        ..=512 => ((512 / n).clamp(1, n), 4),
+        1024 => (1, 2),
+        _ => (1, 1),
+    }
 }
 
 /// The composed shader of tiles of `n` samples.
 pub fn source(n: usize, precision: Precision) -> String {
+    let (lines, fields) = workgroup(n);
+    let first = [8, 2, 4][n.ilog2() as usize % 3];
+    let half = precision == Precision::Half;
     let text = include_str!("../../shaders/fft.wgsl").replace("FORMAT", precision.format().1);
-    shader::composed(&text, &format!("const N: u32 = {n}u;"))
+    let text = text.replace("exchange_FIELDS", &format!("exchange_{fields}"));
+    let definitions = format!(
+        "const N: u32 = {n}u;\nconst LINES: u32 = {lines}u;\nconst FIRST: u32 = {first}u;\nconst HALF: bool = {half};"
+    );
+    shader::composed(&text, &definitions)
+}
+
+/// Tiles that one binding of the intermediate values holds: their two dispatches share it with the other batches.
+struct Batch {
+    tiles: std::ops::Range<usize>,
+    evolution: wgpu::Buffer,
+    group: wgpu::BindGroup,
 }
 
 /// The pass and the textures that it fills.
@@ -82,12 +94,12 @@ pub struct Fft {
     n: usize,
     rows: wgpu::ComputePipeline,
     columns: wgpu::ComputePipeline,
-    evolution: wgpu::Buffer,
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
-    group: wgpu::BindGroup,
-    mips: [MipChain; 3],
+    batches: Vec<Batch>,
+    mips: MipChain,
     cascades: Vec<Cascade>,
+    scales: Vec<[[f32; 4]; 2]>,
     /// (Dx, Dy, height, dDx/dy) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
     /// (dh/dx, dh/dy, dDx/dx, dDy/dy).
@@ -97,12 +109,11 @@ pub struct Fft {
 }
 
 impl Fft {
-    /// A pass for `layers` cascades of `n` by `n` samples (a power of two from 16 to 512), all waves still zero.
+    /// A pass for up to four `layers` of `n` by `n` samples (a power of two from 16 to 2048), all waves still zero.
     pub fn new(gpu: &Gpu, n: usize, layers: usize, precision: Precision) -> Self {
         use wgpu::{BufferUsages as B, TextureUsages as T, TextureViewDimension::D2Array};
-        let (format, _) = precision.format();
-        let mips = n.ilog2() + 1 - 2;
-        let shape = Shape::array(n as u32, layers as u32, mips);
+        let (format, name) = precision.format();
+        let shape = Shape::array(n as u32, layers as u32, n.ilog2() - 1);
         let make = |label| gpu.texture(label, shape, format, T::STORAGE_BINDING | T::COPY_SRC);
         let [displacements, gradients, moments] = ["displacements", "gradients", "moments"].map(make);
         let write = Bind::Write(format, D2Array);
@@ -112,44 +123,47 @@ impl Fft {
         let layout = gpu.layout("fft", compute, &binds);
         let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
 
-        let count = (n * n * layers) as u64;
-        let evolution = gpu.empty_buffer("evolution", B::UNIFORM | B::COPY_DST, size_of::<Evolution>() as u64);
-        let amplitudes = gpu.empty_buffer("amplitudes", B::STORAGE | B::COPY_DST, count * 8);
-        let frequencies = gpu.empty_buffer("frequencies", B::STORAGE | B::COPY_DST, count * 8);
-        let halfway = gpu.empty_buffer("halfway", B::STORAGE, count * 32);
-        let twiddles: Vec<[f32; 2]> = (0..n)
-            .map(|i| {
-                let angle = std::f64::consts::TAU * i as f64 / n as f64;
-                [libm::cos(angle) as f32, libm::sin(angle) as f32]
-            })
-            .collect();
-        let twiddles = gpu.buffer("twiddles", B::STORAGE, bytemuck::cast_slice(&twiddles));
-        let level = |t: &wgpu::Texture, mip| texture::mip_view(t, mip);
-        let group = gpu.bind(
-            "fft",
-            &layout,
-            &[
+        let tile = (n * n) as u64;
+        let room = gpu.device.limits().max_storage_buffer_binding_size / (tile * precision.bytes_halfway());
+        let together = layers.min(room.max(1) as usize);
+        let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, tile * 8 * layers as u64);
+        let (amplitudes, frequencies) = (waves("amplitudes"), waves("frequencies"));
+        let halfway = gpu.empty_buffer("halfway", B::STORAGE, tile * precision.bytes_halfway() * together as u64);
+        let twiddles = gpu.buffer("twiddles", B::STORAGE, bytemuck::cast_slice(&twiddles(n)));
+        let batch = |first: usize| {
+            let tiles = first..(first + together).min(layers);
+            let evolution = gpu.empty_buffer("evolution", B::UNIFORM | B::COPY_DST, size_of::<Evolution>() as u64);
+            let part = |buffer| {
+                let size = wgpu::BufferSize::new(tile * 8 * tiles.len() as u64);
+                wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: tile * 8 * first as u64, size })
+            };
+            let [d, g, m] = [&displacements, &gradients, &moments].map(|t| texture::layers_view(t, &tiles));
+            let resources = [
                 evolution.as_entire_binding(),
-                amplitudes.as_entire_binding(),
-                frequencies.as_entire_binding(),
+                part(&amplitudes),
+                part(&frequencies),
                 twiddles.as_entire_binding(),
                 halfway.as_entire_binding(),
-                wgpu::BindingResource::TextureView(&level(&displacements, 0)),
-                wgpu::BindingResource::TextureView(&level(&gradients, 0)),
-                wgpu::BindingResource::TextureView(&level(&moments, 0)),
-            ],
-        );
-        let mips = [&displacements, &gradients, &moments].map(|t| MipChain::new(gpu, t, precision.format().1));
+                wgpu::BindingResource::TextureView(&d),
+                wgpu::BindingResource::TextureView(&g),
+                wgpu::BindingResource::TextureView(&m),
+            ];
+            let group = gpu.bind("fft", &layout, &resources);
+            Batch { tiles, evolution, group }
+        };
+        let batches = (0..layers).step_by(together).map(batch).collect();
+        let mips = MipChain::of(gpu, &[&displacements, &gradients, &moments], name);
+        let (cascades, scales) = (Vec::new(), Vec::new());
         Self {
             n,
             rows,
             columns,
-            evolution,
             amplitudes,
             frequencies,
-            group,
+            batches,
             mips,
-            cascades: Vec::new(),
+            cascades,
+            scales,
             displacements,
             gradients,
             moments,
@@ -160,6 +174,8 @@ impl Fft {
     pub fn set_waves(&mut self, gpu: &Gpu, cascades: &[Cascade], data: &WaveData) {
         gpu.queue.write_buffer(&self.amplitudes, 0, bytemuck::cast_slice(&data.amplitudes));
         gpu.queue.write_buffer(&self.frequencies, 0, bytemuck::cast_slice(&data.frequencies));
+        let tiles = cascades.iter().zip(data.amplitudes.chunks(self.n * self.n));
+        self.scales = tiles.map(|(cascade, amplitudes)| scales(cascade, amplitudes)).collect();
         self.cascades = cascades.to_vec();
     }
 
@@ -170,28 +186,55 @@ impl Fft {
 
     /// Sets the instant of the next [`Fft::dispatch`], in ticks of the wave clock.
     pub fn set_time(&self, gpu: &Gpu, ticks: u64) {
-        let patch = |i: usize| self.cascades.get(i).map_or(1.0, |c| c.patch_m as f32);
-        let evolution = Evolution {
-            ticks: words(ticks),
-            cascade_count: self.cascades.len() as u32,
-            unused: 0,
-            patches: std::array::from_fn(patch),
-        };
-        gpu.queue.write_buffer(&self.evolution, 0, bytemuck::bytes_of(&evolution));
+        for batch in &self.batches {
+            let first = batch.tiles.start;
+            let patch = |i: usize| self.cascades.get(first + i).map_or(1.0, |c| c.patch_m as f32);
+            let scale = |i: usize| self.scales.get(first + i / 2).map_or([1.0; 4], |pair| pair[i % 2]);
+            let evolution = Evolution {
+                ticks: words(ticks),
+                cascade_count: batch.tiles.len() as u32,
+                unused: 0,
+                patches: std::array::from_fn(patch),
+                scales: std::array::from_fn(scale),
+            };
+            gpu.queue.write_buffer(&batch.evolution, 0, bytemuck::bytes_of(&evolution));
+        }
     }
 
-    /// Two dispatches for the waves of all cascades.
+    /// Two dispatches for the waves of all cascades of a batch.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
-        let (n, layers) = (self.n as u32, self.cascades.len() as u32);
-        pass.set_bind_group(0, &self.group, &[]);
-        pass.set_pipeline(&self.rows);
-        pass.dispatch_workgroups(n, layers, 1);
-        pass.set_pipeline(&self.columns);
-        pass.dispatch_workgroups(n, layers, 1);
+        let groups = (self.n / workgroup(self.n).0) as u32;
+        for batch in &self.batches {
+            let tiles = batch.tiles.end.min(self.cascades.len()).saturating_sub(batch.tiles.start) as u32;
+            pass.set_bind_group(0, &batch.group, &[]);
+            for pipeline in [&self.rows, &self.columns] {
+                pass.set_pipeline(pipeline);
+                pass.dispatch_workgroups(groups, tiles, 1);
+            }
+        }
     }
 
-    /// One dispatch per mip level of each texture.
-    pub fn dispatch_mips(&self, pass: &mut wgpu::ComputePass) {
-        self.mips.iter().for_each(|chain| chain.dispatch(pass));
+    /// Dispatches of one [`Fft::dispatch`].
+    pub fn dispatches(&self) -> usize {
+        2 * self.batches.len()
     }
+
+    /// The mip levels of the three textures.
+    pub fn dispatch_mips(&self, pass: &mut wgpu::ComputePass) {
+        self.mips.dispatch(pass);
+    }
+
+    /// Dispatches of one [`Fft::dispatch_mips`].
+    pub fn mip_dispatches(&self) -> usize {
+        self.mips.dispatches()
+    }
+}
+
+/// exp(2πi·j/n), from f64.
+fn twiddles(n: usize) -> Vec<[f32; 2]> {
+    let twiddle = |j: usize| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * j as f64 / n as f64);
+        [cos as f32, sin as f32]
+    };
+    (0..n).map(twiddle).collect()
 }
