@@ -36,7 +36,7 @@ impl Lift {
         let noticed = NOTICED * tables.sea.hs_m;
         let list = |(index, cascade): (usize, &Cascade)| {
             let h0 = waves::initial_amplitudes(&tables.sea, index, cascade);
-            let omegas = waves::angular_frequencies(cascade);
+            let omegas = waves::angular_frequencies(cascade, f64::INFINITY);
             let n = cascade.n;
             let mirror = |i: usize| ((n - i / n) % n) * n + (n - i % n) % n;
             let vectors = cascade.wave_vectors().enumerate();

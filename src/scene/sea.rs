@@ -21,6 +21,8 @@ pub struct SeaTables {
     pub slope_variance: [f32; SLOPE_SAMPLES],
     /// Wavelength of the spectrum's peak, metres; 0 for a calm.
     pub peak_wavelength_m: f64,
+    /// Mean level of the choppy tiles, metres, at most 0: subtracted from what they draw, see [`waves::chop_level_m`].
+    pub chop_level_m: f64,
 }
 
 /// Samples along a side of a wave tile.
@@ -48,9 +50,12 @@ impl SeaTables {
     pub fn new(sea: Sea, n: usize) -> Self {
         let spectrum = sea.spectrum();
         let peak = spectrum.peak_wavenumber();
+        let cascades = waves::cascades(&sea, n);
+        let k_max = cascades.last().map_or(0.0, |last| last.k_max);
         Self {
             sea,
-            cascades: waves::cascades(&sea, n),
+            chop_level_m: waves::chop_level_m(&spectrum, k_max, sea.chop),
+            cascades,
             slope_variance: std::array::from_fn(|i| spectrum.mss_above((0.5 * i as f64 - 8.0).exp2()) as f32),
             peak_wavelength_m: if peak > 0.0 { std::f64::consts::TAU / peak } else { 0.0 },
         }
