@@ -131,7 +131,7 @@ fn structs_have_the_same_members_at_the_same_places() {
             foam_quantile,
             slope_variance,
             under_water,
-            unused_a,
+            chop_level,
             unused_b,
             unused_c,
         ]

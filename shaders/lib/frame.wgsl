@@ -62,7 +62,7 @@ struct Frame {
     // Mean-square slope above the wavenumber 2^(i/2 - 8) rad/m, i = 0…31.
     slope_variance: array<vec4f, 8>,
     under_water: u32,          // 1 when the eye is in the sea
-    unused_a: u32,
+    chop_level: Metres,        // mean level of the choppy FFT tiles, at most 0; what is drawn has it subtracted
     unused_b: u32,
     unused_c: u32,
 }

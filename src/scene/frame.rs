@@ -112,7 +112,7 @@ pub struct FrameUniform {
     pub foam_quantile: f32,
     pub slope_variance: [Vec4; 8],
     pub under_water: u32,
-    pub unused_a: u32,
+    pub chop_level: f32,
     pub unused_b: u32,
     pub unused_c: u32,
 }
@@ -269,6 +269,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = settings.chop as f32;
+    u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
     u.foam = settings.foam.amount as f32;

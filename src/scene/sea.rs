@@ -60,4 +60,9 @@ impl SeaTables {
             peak_wavelength_m: if peak > 0.0 { std::f64::consts::TAU / peak } else { 0.0 },
         }
     }
+
+    /// ω of every element of one of the tiles, rad/s, over this sea's depth.
+    pub fn frequencies(&self, cascade: &Cascade) -> Vec<f64> {
+        waves::angular_frequencies(cascade, f64::INFINITY)
+    }
 }
