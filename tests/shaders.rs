@@ -135,7 +135,7 @@ fn structs_have_the_same_members_at_the_same_places() {
             foam_heights,
             below_slopes,
             under_water,
-            unused_a,
+            chop_level,
             cascade_slopes,
             perlin_slopes,
             foam_levels,

@@ -74,7 +74,7 @@ struct Frame {
     // Slope variances along the wind and across it: of the waves that no cascade holds, of each cascade's (two in a row).
     below_slopes: vec2f,
     under_water: u32,          // 1 when the eye is in the sea
-    unused_a: u32,
+    chop_level: Metres,        // mean level of the choppy FFT tiles, at most 0; what is drawn has it subtracted
     cascade_slopes: array<vec4f, 2>,
     perlin_slopes: vec4f,      // what the Perlin tile does not hold, then its own
     foam_levels: array<FoamLevel, FOAM_LEVELS>,

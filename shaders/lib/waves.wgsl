@@ -90,8 +90,11 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             own.z += weights.y * resolvable(footprint, frame.perlin_patch) * textureSampleLevel(perlin, repeated, uv, lod).x;
         }
-        sum += w * (own.x * nodes[i].axis_x + own.y * nodes[i].axis_y + vec3f(0.0, 0.0, own.z));
+        // The cell's axes lie in the plane of its centre; here the water moves level.
+        sum += w * vec3f(own.x * nodes[i].axis_x.xy + own.y * nodes[i].axis_y.xy, own.z);
     }
+    // Energies, and so the mean level, go with the squares of the weights.
+    sum.z -= weights.x * weights.x * frame.chop_level;
     return sum;
 }
 

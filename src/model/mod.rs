@@ -4,6 +4,7 @@
 //! Everything that feeds the waves takes its transcendental functions from `libm`, never from the platform, so that a seed
 //! and a time give the same sea bit for bit natively and in WebAssembly.
 
+pub mod cascade;
 pub mod dispersion;
 pub mod earth;
 pub mod fft;

@@ -125,7 +125,7 @@ pub struct FrameUniform {
     pub foam_heights: Vec2,
     pub below_slopes: Vec2,
     pub under_water: u32,
-    pub unused_a: u32,
+    pub chop_level: f32,
     pub cascade_slopes: [Vec4; 2],
     pub perlin_slopes: Vec4,
     pub foam_levels: [FoamLevel; foam::LEVELS],
@@ -283,6 +283,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = settings.chop as f32;
+    u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
     u.perlin_patch = sea.perlin.patch_m as f32;

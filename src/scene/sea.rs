@@ -20,6 +20,8 @@ pub struct SeaTables {
     pub cascade_slopes: [[f64; 2]; CASCADES],
     /// Slopes of the waves that are shorter than the tiles hold.
     pub below_slopes: [f64; 2],
+    /// Mean level of the choppy tiles, metres, at most 0: subtracted from what they draw, see [`waves::chop_level_m`].
+    pub chop_level_m: f64,
     /// The far sea.
     pub perlin: Octaves,
 }
@@ -51,7 +53,9 @@ impl SeaTables {
         let cascades = waves::cascades(&sea, n);
         let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
         let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
-        let mut tables = Self { sea, cascades, cascade_slopes, below_slopes, perlin: Octaves::default() };
+        let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
+        let mut tables =
+            Self { sea, cascades, cascade_slopes, below_slopes, chop_level_m, perlin: Octaves::default() };
         tables.perlin = Octaves::of(&spectrum, tables.slopes());
         tables
     }
@@ -64,6 +68,11 @@ impl SeaTables {
     /// Mean-square slope of the whole sea, both axes together.
     pub fn mean_square_slope(&self) -> f64 {
         self.slopes().iter().sum()
+    }
+
+    /// ω of every element of one of the tiles, rad/s, over this sea's depth.
+    pub fn frequencies(&self, cascade: &Cascade) -> Vec<f64> {
+        waves::angular_frequencies(cascade, f64::INFINITY)
     }
 }
 
