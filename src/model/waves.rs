@@ -16,7 +16,9 @@
 //!     | cascade 0 |   cascade 1  |  cascade 2   |  below the texels: mss_above
 //! ```
 
-use super::{dispersion, noise, sea_state, spectrum::DirectionalSpectrum, spectrum::Phillips};
+use super::{dispersion, noise, spectrum::DirectionalSpectrum};
+
+pub use super::sea::Sea;
 
 /// How many tiles a sea is made of.
 pub const CASCADES: usize = 3;
@@ -28,31 +30,6 @@ const USED_BAND: f64 = 0.9;
 const SUBSAMPLES: usize = 8;
 /// Cells closer to the origin than this (in steps) are sub-sampled: one sample of k⁻⁴ is 0.1 % off at 24 steps.
 const NEAR_CELLS: f64 = 24.0;
-
-/// The sea: everything that decides the shape of the waves but not the wind's direction or the time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sea {
-    /// Wind speed, m/s.
-    pub speed_mps: f64,
-    /// Significant height, m.
-    pub hs_m: f64,
-    /// Chooses one sea among the equally likely.
-    pub seed: u32,
-    /// λ of the choppy displacement X = x + λD; 0 for none. Does not enter the amplitudes.
-    pub chop: f64,
-}
-
-impl Sea {
-    /// The sea that a wind speed in m/s raises, with the Beaufort table's height.
-    pub fn from_wind(speed_mps: f64, seed: u32, chop: f64) -> Self {
-        Self { speed_mps, hs_m: sea_state::significant_height(speed_mps), seed, chop }
-    }
-
-    /// The spectrum of this sea.
-    pub fn spectrum(&self) -> Phillips {
-        Phillips::new(self.speed_mps, self.hs_m)
-    }
-}
 
 /// One tile of waves, periodic over `patch_m`, and its ring of wave numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
