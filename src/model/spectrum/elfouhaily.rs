@@ -11,7 +11,7 @@ const C_M: f64 = 0.23;
 /// u* = sqrt(C_D) U₁₀ with this drag coefficient.
 const DRAG: f64 = 0.00144;
 
-/// [Elfouhaily's](crate::bibliography::Elfouhaily1997) unified spectrum. With c = sqrt((g/k)(1 + (k/k_m)²)), k_p = Ω² g/U₁₀²:
+/// [Elfouhaily's](crate::bibliography::Elfouhaily1997) unified spectrum. With c = sqrt((g/k)(1 + (k/k_m)²)), k_p = Ω² g/U₁₀², c_p = U₁₀/Ω:
 ///
 /// ∫F k dθ = S(k) = k⁻³ (½ α_p (c_p/c) F_p + ½ α_m (c_m/c) F_m) exp(−5/4 (k_p/k)²) γ^Γ
 ///
@@ -48,7 +48,7 @@ impl Elfouhaily {
             u10,
             wave_age,
             peak,
-            c_p: phase_speed(peak),
+            c_p: u10 / wave_age,
             alpha_p: 0.006 * libm::pow(wave_age, 0.55),
             alpha_m: alpha_m.max(0.0),
             ln_gamma: libm::log(gamma),
