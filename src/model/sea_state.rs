@@ -101,6 +101,15 @@ pub fn whitecap_fraction(speed_mps: f64) -> f64 {
     (3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)).min(0.25)
 }
 
+/// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
+pub const FOAM_LIFETIME_S: f64 = 3.85;
+
+/// Foam `dt` seconds later, on its way to `equilibrium` with e-folding time `tau` (s, positive):
+/// F ← F_eq + (F − F_eq) exp(−dt/τ). Any division of a time into steps gives the same, which a step of Euler's would not.
+pub fn foam_after(foam: f64, equilibrium: f64, dt: f64, tau: f64) -> f64 {
+    equilibrium + (foam - equilibrium) * libm::exp(-dt / tau)
+}
+
 /// The value, in standard deviations, that a normal variable exceeds with probability `share` (in (0, ½]), within 4.5e-4
 /// (Abramowitz and Stegun, 26.2.23).
 pub fn normal_quantile_above(share: f64) -> f64 {

@@ -7,7 +7,8 @@
 
 pub use super::cascade::{CASCADES, Cascade, PATCHES_M, Tile};
 use super::quadrature::simpson_log;
-use super::{cascade, dispersion, noise, sea_state, spectrum::DirectionalSpectrum, spectrum::Phillips};
+pub use super::sea::Sea;
+use super::{cascade, dispersion, noise, spectrum::DirectionalSpectrum};
 
 /// Sub-samples per axis of a cell that a ring's edge cuts or that lies closer to the origin than [`NEAREST_CELLS`].
 const SUBSAMPLES: usize = 8;
@@ -15,31 +16,6 @@ const SUBSAMPLES: usize = 8;
 const NEAREST_CELLS: f64 = 8.0;
 /// Cells closer to the origin than this are sub-sampled half as finely: one sample of k⁻⁴ is 0.1 % off at 24 steps.
 const NEAR_CELLS: f64 = 24.0;
-
-/// The sea: everything that decides the shape of the waves but not the wind's direction or the time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sea {
-    /// Wind speed, m/s.
-    pub speed_mps: f64,
-    /// Significant height, m.
-    pub hs_m: f64,
-    /// Chooses one sea among the equally likely.
-    pub seed: u32,
-    /// λ of the choppy displacement X = x + λD; 0 for none. Does not enter the amplitudes.
-    pub chop: f64,
-}
-
-impl Sea {
-    /// The sea that a wind speed in m/s raises, with the Beaufort table's height.
-    pub fn from_wind(speed_mps: f64, seed: u32, chop: f64) -> Self {
-        Self { speed_mps, hs_m: sea_state::significant_height(speed_mps), seed, chop }
-    }
-
-    /// The spectrum of this sea.
-    pub fn spectrum(&self) -> Phillips {
-        Phillips::new(self.speed_mps, self.hs_m)
-    }
-}
 
 /// The tiles of a sea, the longest first, with `n` samples along each side (a power of two, at least 32): the same tiles and
 /// rings for every sea, see [`cascade`].

@@ -4,8 +4,9 @@ use std::sync::{Arc, Mutex};
 
 use crate::model::perlin::Octaves;
 use crate::model::quadrature::simpson_log;
+use crate::model::sea::{Sea, Swell};
 use crate::model::spectrum::DirectionalSpectrum;
-use crate::model::waves::{self, CASCADES, Cascade, Sea};
+use crate::model::waves::{self, CASCADES, Cascade};
 
 use super::settings::{Quality, Settings};
 
@@ -34,11 +35,24 @@ pub fn tile_samples(quality: Quality) -> usize {
     }
 }
 
+/// The sea that `settings` ask for. A swell's direction becomes one in the frame of the waves: compass bearings FROM run clockwise,
+/// angles TO counter-clockwise, so that their difference is the wind's less the swell's.
+pub fn sea_of(settings: &Settings) -> Sea {
+    let wind_from_deg = settings.wind.from_deg;
+    let swell = settings.swell.map(|swell| Swell {
+        height_m: swell.height_m,
+        period_s: swell.period_s,
+        toward: (wind_from_deg - swell.from_deg).to_radians(),
+    });
+    let fetch_m = settings.fetch_km.map(|km| km * 1000.0);
+    Sea::new(settings.wind_speed_mps(), settings.spectrum, fetch_m, swell, settings.seed, settings.chop)
+}
+
 impl SeaTables {
     /// The tables of the sea that `settings` ask for; those of the last sea are kept.
     pub fn of(settings: &Settings) -> Arc<Self> {
         static LAST: Mutex<Option<Arc<SeaTables>>> = Mutex::new(None);
-        let sea = Sea::from_wind(settings.wind_speed_mps(), settings.seed, settings.chop);
+        let sea = sea_of(settings);
         let n = tile_samples(settings.quality);
         let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         match last.as_ref().filter(|kept| kept.sea == sea && kept.cascades[0].n == n) {
@@ -72,7 +86,7 @@ impl SeaTables {
 
     /// ω of every element of one of the tiles, rad/s, over this sea's depth.
     pub fn frequencies(&self, cascade: &Cascade) -> Vec<f64> {
-        waves::angular_frequencies(cascade, f64::INFINITY)
+        waves::angular_frequencies(cascade, self.sea.depth_m)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
 use super::layers::Layers;
+pub use crate::model::sea::SpectrumKind as Spectrum;
 use crate::model::sea_state;
 
 /// The wind at 10 m over the sea.
@@ -16,39 +17,6 @@ impl Default for Wind {
     fn default() -> Self {
         Self { speed_mps: 8.0, from_deg: 250.0 }
     }
-}
-
-/// The shape of the wave spectrum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spectrum {
-    /// Phillips' equilibrium form with Tessendorf's long-wave cut.
-    #[default]
-    Phillips,
-    /// Pierson and Moskowitz: a fully grown sea.
-    PiersonMoskowitz,
-    /// JONSWAP: a sea that grows with fetch.
-    Jonswap,
-    /// TMA: JONSWAP in shallow water.
-    Tma,
-    /// Elfouhaily and others: one spectrum from swell to ripples.
-    Elfouhaily,
-    /// A sum of sines.
-    Sines,
-    /// A sum of Gerstner waves.
-    Gerstner,
-}
-
-impl Spectrum {
-    /// Every spectrum with its name in links.
-    pub const ALL: [(Self, &'static str); 7] = [
-        (Self::Phillips, "phillips"),
-        (Self::PiersonMoskowitz, "pierson-moskowitz"),
-        (Self::Jonswap, "jonswap"),
-        (Self::Tma, "tma"),
-        (Self::Elfouhaily, "elfouhaily"),
-        (Self::Sines, "sines"),
-        (Self::Gerstner, "gerstner"),
-    ];
 }
 
 /// A swell from a far storm, on top of the wind sea.
