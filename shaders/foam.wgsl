@@ -66,11 +66,8 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
         if now.empty == 1u { foam = 0.0; }
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
-        if smaller_eigenvalue(p, square.side) < square.threshold {
-            after[level] = 1.0 - (1.0 - foam) * now.grow;
-        } else {
-            after[level] = foam * now.keep;
-        }
+        let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
+        after[level] = breaking + (foam - breaking) * select(now.keep, now.grow, breaking > foam);
     }
     textureStore(next, slot, after);
 }

@@ -97,7 +97,7 @@ pub struct Renderer {
     tonemap: Tonemap,
     targets: Option<Targets>,
     sea: Option<Arc<SeaTables>>,
-    whitecaps: Whitecaps,
+    whitecaps: Option<Whitecaps>,
     foam_complete: bool,
     visible: Vec<TileId>,
     complete: bool,
@@ -151,7 +151,7 @@ impl Renderer {
             foam,
             targets: None,
             sea: None,
-            whitecaps: Whitecaps::default(),
+            whitecaps: None,
             foam_complete: true,
             visible: Vec::new(),
             complete: false,
@@ -285,8 +285,8 @@ impl Renderer {
 
     /// Makes the waves of a sea that is not the last one.
     fn take_sea(&mut self, frame: &Frame) {
-        if self.whitecaps != frame.whitecaps {
-            self.whitecaps = frame.whitecaps;
+        if self.whitecaps != Some(frame.whitecaps) {
+            self.whitecaps = Some(frame.whitecaps);
             self.foam.reset();
         }
         let sea = &frame.sea;

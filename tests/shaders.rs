@@ -151,7 +151,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         ocean::source(),
         "FoamLevel",
         frame::FoamLevel,
-        [texel, fraction, side, threshold, unused_a, unused_b]
+        [texel, fraction, side, threshold, softness, unused]
     );
     assert_mirror!(foam::source(), "FoamStep", foam::FoamStep, [previous, grow, keep, empty, unused]);
     assert_mirror!(

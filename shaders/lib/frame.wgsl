@@ -13,9 +13,9 @@ struct FoamLevel {
     texel: vec2i,              // that the eye is in
     fraction: vec2f,           // of a texel from its corner to the eye
     side: Metres,              // of a texel
-    threshold: f32,            // smaller eigenvalue of the chop's gradient below which foam is born
-    unused_a: u32,
-    unused_b: u32,
+    threshold: f32,            // smaller eigenvalue of the chop's gradient below which whitecaps begin
+    softness: f32,             // how far below it a texel breaks as a whole
+    unused: u32,
 }
 
 struct Frame {

@@ -6,7 +6,7 @@
 const DEEP_REFLECTANCE = vec3f(0.0035, 0.018, 0.040);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
-const FOAM_ALBEDO = 0.45;       // of fresh whitecaps (P. Koepke 1984)
+const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);

@@ -110,6 +110,7 @@ fn turned(t: vec3f, ax: vec2f, ay: vec2f) -> vec3f {
 struct Slopes {
     slope: vec2f,          // true slope of the displaced surface
     rough: vec2f,          // slope variance that the footprint hides, along the wind and across it
+    fold: f32,             // Jacobian determinant of the chop: below 0 the crest folds
 }
 
 fn cascade_slopes(c: u32) -> vec2f {
@@ -122,7 +123,7 @@ fn cascade_slopes(c: u32) -> vec2f {
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
-    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all); }
+    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
     let found = node_weights(p);
     let texels = f32(textureDimensions(gradients).x);
     var slope = vec2f(0.0);
@@ -178,5 +179,5 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let jyy = 1.0 + stretch.y;
     let fold = jxx * jyy - stretch.z * stretch.z;
     let true_slope = vec2f(jyy * slope.x - stretch.z * slope.y, jxx * slope.y - stretch.z * slope.x) / max(fold, 0.25);
-    return Slopes(true_slope, rough);
+    return Slopes(true_slope, rough, fold);
 }

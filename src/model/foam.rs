@@ -1,13 +1,14 @@
 //! Whitecaps: where the chop folds the surface foam is born, and then it fades.
 //!
-//! State F in 0…1 at a rest point (share covered). While the smaller eigenvalue μ of ∇D lies below a threshold, F grows towards
-//! 1 with [`GROWTH_S`]; else it decays to 0 with the foam's lifetime. Both are exact exponentials of the time that has gone by,
-//! so the result does not depend on the frame rate as long as frames are shorter than a fold lives.
+//! State F in 0…1 at a rest point (share covered). The smaller eigenvalue μ of ∇D says how much of the point breaks ([`Fold`]):
+//! F grows towards that share with [`GROWTH_S`], and from above it decays to it with the foam's lifetime. Both are exact
+//! exponentials of the time that has gone by, so the result does not depend on the frame rate as long as frames are shorter than
+//! a fold lives.
 //!
 //! # Which folds?
 //! Linear waves fold too often in a gale and hardly ever in a breeze, and the more so the finer the grid: the measured whitecap
 //! fraction fixes the threshold instead. The mean of F over the water's area has no closed form (it needs the durations of
-//! excursions of an eigenvalue), so [`fold_thresholds`] simulates ∇D at many independent rest points, from the sea's own
+//! excursions of an eigenvalue), so [`folds`] simulates ∇D at many independent rest points, from the sea's own
 //! spectrum, and bisects. Each level of the foam map sees waves longer than a few of its texels alone and has a threshold of its
 //! own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
 //! quantile of μ alone (the lifetime multiplies it by three in a gale and by ten in a breeze).
@@ -31,11 +32,25 @@ const BANDS: usize = 3;
 /// Directions off the wind, radians.
 const DIRECTIONS: [f64; 4] = [-0.95, -0.3, 0.3, 0.95];
 
-/// F after `dt_s` seconds that began with `foam`: towards 1 while the crest breaks, else towards 0 with `lifetime_s`.
-/// Exact for any `dt_s`: F ← F∞ + (F − F∞) exp(−dt/τ) ([Monahan](crate::bibliography::Monahan1980) gives τ ≈ 3.5 s in salt water).
-pub fn evolve(foam: f64, breaking: bool, dt_s: f64, lifetime_s: f64) -> f64 {
-    let (goal, tau) = if breaking { (1.0, GROWTH_S) } else { (0.0, lifetime_s) };
-    goal + (foam - goal) * libm::exp(-dt_s / tau)
+/// F after `dt_s` seconds that began with `foam`, while the share `breaking` (0…1) breaks.
+/// Exact for any `dt_s`: F ← F∞ + (F − F∞) exp(−dt/τ), with τ the foam's lifetime or, upwards, [`GROWTH_S`].
+pub fn evolve(foam: f64, breaking: f64, dt_s: f64, lifetime_s: f64) -> f64 {
+    let tau = if breaking > foam { GROWTH_S } else { lifetime_s };
+    breaking + (foam - breaking) * libm::exp(-dt_s / tau)
+}
+
+/// Where a level breaks: saturate((threshold − μ)/softness) of a texel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fold {
+    /// Value of μ below which whitecaps begin (1 + λμ is the smaller eigenvalue of the chop's gradient); −∞: never.
+    pub threshold: f64,
+    /// How far below it a texel breaks as a whole. Large texels hold many crests, of which few break at a time.
+    pub softness: f64,
+}
+
+impl Fold {
+    /// Nothing breaks.
+    pub const NEVER: Self = Self { threshold: f64::NEG_INFINITY, softness: 1.0 };
 }
 
 /// Where the ramp saturate(η/σ − q) of a Gaussian height η must start, in standard deviations q, so that its mean is `share`
@@ -61,38 +76,40 @@ struct Component {
     level: usize,
 }
 
-/// Thresholds of μ (1 + λμ is the smaller eigenvalue of the chop's gradient) of the levels with texels of `texels_m` (increasing,
-/// m), such that the mean of F over the water's area is `wanted` (0…1) for a lifetime in seconds. A level whose waves are all
-/// too short for it gets −∞: nothing folds there.
-pub fn fold_thresholds<const N: usize>(
+/// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
+/// (0…1) for a lifetime in seconds. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for
+/// it gets [`Fold::NEVER`].
+pub fn folds<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
     chop: f64,
     texels_m: [f64; N],
+    softness: [f64; N],
     wanted: f64,
     lifetime_s: f64,
-) -> [f64; N] {
+) -> [Fold; N] {
     let waves = components(spectrum, &texels_m);
-    let mut thresholds = [f64::NEG_INFINITY; N];
+    let mut folds = [Fold::NEVER; N];
     if wanted <= 0.0 {
-        return thresholds;
+        return folds;
     }
     let mut series = vec![Vec::with_capacity(POINTS * INSTANTS); N];
     (0..POINTS).for_each(|point| simulate(point, &waves, chop, &mut series));
-    for (threshold, series) in thresholds.iter_mut().zip(&series) {
+    for ((fold, series), softness) in folds.iter_mut().zip(&series).zip(softness) {
         let lowest = series.iter().map(|(mu, _)| *mu).fold(0.0f32, f32::min);
         let deviation = (series.iter().map(|(mu, _)| f64::from(mu * mu)).sum::<f64>() / series.len() as f64).sqrt();
         if deviation < 1e-3 {
             continue;
         }
-        let (mut low, mut high) = (f64::from(lowest), 0.5 * deviation);
+        fold.softness = softness * deviation;
+        let (mut low, mut high) = (f64::from(lowest), deviation + fold.softness);
         // 14 halvings: 1e-4 of the range.
         for _ in 0..14 {
-            let middle = 0.5 * (low + high);
-            if mean_foam(series, middle as f32, lifetime_s) < wanted { low = middle } else { high = middle }
+            fold.threshold = 0.5 * (low + high);
+            let mean = mean_foam(series, *fold, lifetime_s);
+            if mean < wanted { low = fold.threshold } else { high = fold.threshold }
         }
-        *threshold = 0.5 * (low + high);
     }
-    thresholds
+    folds
 }
 
 /// Waves that carry the energy of the spectrum in bands of wave number and direction.
@@ -162,15 +179,19 @@ fn simulate(point: usize, waves: &[Component], chop: f64, series: &mut [Vec<(f32
     }
 }
 
-/// Mean of F over the displaced water's area when foam is born below `threshold`. Each point's record is run twice, the second time from
-/// the state that the first has left, so that lifetimes longer than the record count in full.
-fn mean_foam(series: &[(f32, f32)], threshold: f32, lifetime_s: f64) -> f64 {
+/// Mean of F over the displaced water's area. Each point's record is run twice, the second time from the state that the first tends
+/// to when it is repeated, so that lifetimes longer than the record count in full.
+fn mean_foam(series: &[(f32, f32)], fold: Fold, lifetime_s: f64) -> f64 {
     let (grow, keep) = ((-STEP_S / GROWTH_S).exp() as f32, (-STEP_S / lifetime_s).exp() as f32);
+    let (threshold, steepness) = (fold.threshold as f32, (1.0 / fold.softness) as f32);
+    let step = |f: f32, mu: f32| {
+        let breaking = ((threshold - mu) * steepness).clamp(0.0, 1.0);
+        breaking + (f - breaking) * if breaking > f { grow } else { keep }
+    };
     let (mut foam, mut area) = (0.0f64, 0.0f64);
     for record in series.chunks_exact(INSTANTS) {
-        let step = |f: f32, mu: f32| if mu < threshold { 1.0 - (1.0 - f) * grow } else { f * keep };
-        // The state after one run is a + b·start: start from the fixed point.
         let run = |start: f32| record.iter().fold(start, |f, (mu, _)| step(f, *mu));
+        // One run maps start to about a + b·start.
         let a = run(0.0);
         let b = run(1.0) - a;
         let mut f = a / (1.0 - b).max(1e-6);

@@ -19,8 +19,9 @@ use glam::DVec2;
 
 use super::sea::SeaTables;
 use super::settings::{Foam, FoamRule, Settings};
+use crate::model::foam::{self, Fold};
+use crate::model::sea_state;
 use crate::model::waves::TICKS_PER_SECOND;
-use crate::model::{foam, sea_state};
 
 /// Squares of the map; equals `FOAM_LEVELS` in `shaders/lib/frame.wgsl`.
 pub const LEVELS: usize = 4;
@@ -28,18 +29,20 @@ pub const LEVELS: usize = 4;
 pub const TEXELS: i32 = 256;
 /// Sides of the texels, metres.
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
+/// How gradually a level breaks, in root mean squares of its eigenvalue.
+const SOFTNESS: [f64; LEVELS] = [0.2, 0.5, 1.0, 1.5];
 /// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// Lifetimes that a replay goes back: e⁻³ is 5 %.
 const LIFETIMES: u64 = 3;
 
 /// Where whitecaps are on a sea.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whitecaps {
     /// Share of the surface that they cover.
     pub share: f64,
-    /// Smaller eigenvalue of ∇D below which foam is born, by level; −∞: nowhere.
-    pub thresholds: [f64; LEVELS],
+    /// Where foam is born, by level.
+    pub folds: [Fold; LEVELS],
     /// Height above which foam lies, and above which it covers all, metres; for [`FoamRule::Height`].
     pub heights_m: [f64; 2],
 }
@@ -62,14 +65,14 @@ impl Whitecaps {
         let sea = &sea.sea;
         let share =
             if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
-        let thresholds = if foam.rule == FoamRule::Height {
-            [f64::NEG_INFINITY; LEVELS]
+        let folds = if foam.rule == FoamRule::Height {
+            [Fold::NEVER; LEVELS]
         } else {
-            foam::fold_thresholds(&sea.spectrum(), sea.chop, TEXELS_M, share, foam.lifetime_s)
+            foam::folds(&sea.spectrum(), sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
         };
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
-        Self { share, thresholds, heights_m: [from * deviation, (from + 1.0) * deviation] }
+        Self { share, folds, heights_m: [from * deviation, (from + 1.0) * deviation] }
     }
 }
 

@@ -65,8 +65,8 @@ pub struct FoamLevel {
     pub fraction: [f32; 2],
     pub side: f32,
     pub threshold: f32,
-    pub unused_a: u32,
-    pub unused_b: u32,
+    pub softness: f32,
+    pub unused: u32,
 }
 
 /// Bind group 0's block; mirrors `Frame` in `shaders/lib/frame.wgsl`, which documents the members.
@@ -311,8 +311,9 @@ fn set_foam(
     u.foam_heights = DVec2::from(whitecaps.heights_m).as_vec2();
     for (level, slot) in u.foam_levels.iter_mut().enumerate() {
         let (texel, fraction) = eye.texel(level);
-        let threshold = whitecaps.thresholds[level].max(-1e9) as f32;
-        *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, ..FoamLevel::default() };
+        let fold = whitecaps.folds[level];
+        let (threshold, softness) = (fold.threshold.max(-1e9) as f32, fold.softness as f32);
+        *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, softness, unused: 0 };
     }
     let shown = whitecaps.share > 1e-6 && camera.altitude_m < foam::HIGHEST_M;
     // The numbers of `shaders/lib/foam.wgsl`: the map, the height, the share alone.

@@ -68,8 +68,7 @@ impl SeaTables {
         let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
         let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
         let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
-        let mut tables =
-            Self { sea, cascades, cascade_slopes, below_slopes, chop_level_m, perlin: Octaves::default() };
+        let mut tables = Self { sea, cascades, cascade_slopes, below_slopes, chop_level_m, perlin: Octaves::default() };
         tables.perlin = Octaves::of(&spectrum, tables.slopes());
         tables
     }
