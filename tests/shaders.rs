@@ -11,7 +11,9 @@ use ocean_globe::scene::{foam as scene_foam, frame, wave_domain};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
-    vec![
+    let sizes =
+        (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
+    let mut all = vec![
         ("blit.wgsl", include_str!("../shaders/blit.wgsl").to_owned()),
         ("fft.wgsl", fft::source(16, Precision::Single)),
         ("fft.wgsl", fft::source(128, Precision::Half)),
@@ -27,7 +29,9 @@ fn all() -> Vec<(&'static str, String)> {
         ("sky.wgsl", sky::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("tonemap.wgsl", tonemap::source()),
-    ]
+    ];
+    all.extend(sizes);
+    all
 }
 
 fn parsed(name: &str, source: &str) -> naga::Module {

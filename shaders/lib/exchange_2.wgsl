@@ -1,4 +1,4 @@
-// Two of the four fields change threads at a time.
+// Two of the four fields change threads at a time, both halves in the same slots.
 
 var<workgroup> slots: array<vec4f, LINES * N>;
 
@@ -6,15 +6,9 @@ var<workgroup> slots: array<vec4f, LINES * N>;
 fn keep(at: u32, h: vec2f) { slots[at] = vec4f(h, 0.0, 0.0); }
 fn kept(at: u32) -> vec2f { return slots[at].xy; }
 
-fn exchange(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>>, line: u32, at: u32, to: Route) {
-#unroll 8    let to_$ = slot(routed(to, $u), line);
-#unroll 8    let from_$ = slot(at + $u * SPAN, line);
-#unroll 8    slots[to_$] = (*ab)[$];
+fn exchange(v: ptr<function, array<vec4f, 8>>, half: u32, line: u32, at: u32, to: Route) {
+#unroll 8    slots[slot(routed(to, $u), line)] = (*v)[$];
     workgroupBarrier();
-#unroll 8    (*ab)[$] = slots[from_$];
-    workgroupBarrier();
-#unroll 8    slots[to_$] = (*cd)[$];
-    workgroupBarrier();
-#unroll 8    (*cd)[$] = slots[from_$];
+#unroll 8    (*v)[$] = slots[slot(at + $u * SPAN, line)];
     workgroupBarrier();
 }

@@ -1,4 +1,5 @@
-// All four fields change threads at once.
+// Two of the four fields change threads at a time, the two halves in slots of their own: when one half's barrier is passed, the
+// other's slots have been read.
 
 var<workgroup> slots: array<vec4f, 2 * LINES * N>;
 
@@ -6,13 +7,9 @@ var<workgroup> slots: array<vec4f, 2 * LINES * N>;
 fn keep(at: u32, h: vec2f) { slots[at] = vec4f(h, 0.0, 0.0); }
 fn kept(at: u32) -> vec2f { return slots[at].xy; }
 
-fn exchange(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>>, line: u32, at: u32, to: Route) {
-#unroll 8    let to_$ = slot(routed(to, $u), line);
-#unroll 8    slots[to_$] = (*ab)[$];
-#unroll 8    slots[to_$ + LINES * N] = (*cd)[$];
+fn exchange(v: ptr<function, array<vec4f, 8>>, half: u32, line: u32, at: u32, to: Route) {
+    let base = half * LINES * N;
+#unroll 8    slots[base + slot(routed(to, $u), line)] = (*v)[$];
     workgroupBarrier();
-#unroll 8    let from_$ = slot(at + $u * SPAN, line);
-#unroll 8    (*ab)[$] = slots[from_$];
-#unroll 8    (*cd)[$] = slots[from_$ + LINES * N];
-    workgroupBarrier();
+#unroll 8    (*v)[$] = slots[base + slot(at + $u * SPAN, line)];
 }

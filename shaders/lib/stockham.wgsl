@@ -60,12 +60,15 @@ struct Route { start: u32, step: u32, jump: u32 }
 
 fn routed(to: Route, r: u32) -> u32 { return to.start + r * to.step + (r / FIRST) * to.jump; }
 
+// The two halves take turns in the same code, which is long enough for slow compilers.
 fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>>, line: u32, at: u32) {
-    *ab = first_stage(*ab);
-    *cd = first_stage(*cd);
+    for (var half = 0u; half < 2u; half++) {
+        let done = first_stage(*ab);
+        *ab = *cd;
+        *cd = done;
+    }
     var to = Route(FIRST * at, 1u, FIRST * (SPAN - 1u));
     for (var stride = FIRST; stride < N; stride *= 8u) {
-        exchange(ab, cd, line, at, to);
         let phase = at % stride;
         let turn = phase * (SPAN / stride);
         let w1 = twiddles[turn];
@@ -73,8 +76,12 @@ fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>
         let w4 = twiddles[4u * turn];
         let w3 = times(w1, w2);
         let w = array<vec2f, 8>(vec2f(1.0, 0.0), w1, w2, w3, w4, times(w1, w4), times(w2, w4), times(w3, w4));
-        *ab = stage(*ab, w);
-        *cd = stage(*cd, w);
+        for (var half = 0u; half < 2u; half++) {
+            exchange(ab, half, line, at, to);
+            let done = stage(*ab, w);
+            *ab = *cd;
+            *cd = done;
+        }
         to = Route((at / stride) * stride * 8u + phase, stride, 0u);
     }
 }

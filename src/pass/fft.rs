@@ -8,6 +8,8 @@
 //!  Precision::Single              32                    2 dispatches          8
 //! ```
 
+use std::ops::Range;
+
 use bytemuck::{Pod, Zeroable};
 
 use crate::gpu::mips::MipChain;
@@ -82,9 +84,15 @@ pub fn source(n: usize, precision: Precision) -> String {
     shader::composed(&text, &definitions)
 }
 
+/// The tiles of each batch: as many as `room`, the largest storage binding in bytes, holds halfway through the transform.
+pub fn batches(n: usize, layers: usize, precision: Precision, room: u64) -> Vec<Range<usize>> {
+    let together = (room / ((n * n) as u64 * precision.bytes_halfway())).max(1) as usize;
+    (0..layers).step_by(together).map(|first| first..layers.min(first + together)).collect()
+}
+
 /// Tiles that one binding of the intermediate values holds: their two dispatches share it with the other batches.
 struct Batch {
-    tiles: std::ops::Range<usize>,
+    tiles: Range<usize>,
     evolution: wgpu::Buffer,
     group: wgpu::BindGroup,
 }
@@ -124,18 +132,21 @@ impl Fft {
         let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
 
         let tile = (n * n) as u64;
-        let room = gpu.device.limits().max_storage_buffer_binding_size / (tile * precision.bytes_halfway());
-        let together = layers.min(room.max(1) as usize);
+        let batches = batches(n, layers, precision, gpu.device.limits().max_storage_buffer_binding_size);
+        let largest = batches.iter().map(|tiles| tiles.len()).max().unwrap_or(1) as u64;
         let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, tile * 8 * layers as u64);
         let (amplitudes, frequencies) = (waves("amplitudes"), waves("frequencies"));
-        let halfway = gpu.empty_buffer("halfway", B::STORAGE, tile * precision.bytes_halfway() * together as u64);
+        let halfway = gpu.empty_buffer("halfway", B::STORAGE, tile * precision.bytes_halfway() * largest);
         let twiddles = gpu.buffer("twiddles", B::STORAGE, bytemuck::cast_slice(&twiddles(n)));
-        let batch = |first: usize| {
-            let tiles = first..(first + together).min(layers);
+        let batch = |tiles: Range<usize>| {
             let evolution = gpu.empty_buffer("evolution", B::UNIFORM | B::COPY_DST, size_of::<Evolution>() as u64);
             let part = |buffer| {
                 let size = wgpu::BufferSize::new(tile * 8 * tiles.len() as u64);
-                wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: tile * 8 * first as u64, size })
+                wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                    buffer,
+                    offset: tile * 8 * tiles.start as u64,
+                    size,
+                })
             };
             let [d, g, m] = [&displacements, &gradients, &moments].map(|t| texture::layers_view(t, &tiles));
             let resources = [
@@ -151,7 +162,7 @@ impl Fft {
             let group = gpu.bind("fft", &layout, &resources);
             Batch { tiles, evolution, group }
         };
-        let batches = (0..layers).step_by(together).map(batch).collect();
+        let batches = batches.into_iter().map(batch).collect();
         let mips = MipChain::of(gpu, &[&displacements, &gradients, &moments], name);
         let (cascades, scales) = (Vec::new(), Vec::new());
         Self {
