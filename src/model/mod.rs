@@ -8,6 +8,7 @@ pub mod cascade;
 pub mod dispersion;
 pub mod earth;
 pub mod fft;
+pub mod foam;
 pub mod geodesic;
 pub mod noise;
 pub mod optics;
