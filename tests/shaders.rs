@@ -15,12 +15,6 @@ fn all() -> Vec<(&'static str, String)> {
         (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
     let mut all = vec![
         ("blit.wgsl", include_str!("../shaders/blit.wgsl").to_owned()),
-        ("fft.wgsl", fft::source(16, Precision::Single)),
-        ("fft.wgsl", fft::source(128, Precision::Half)),
-        ("fft.wgsl", fft::source(256, Precision::Half)),
-        ("fft.wgsl", fft::source(512, Precision::Half)),
-        ("fft.wgsl", fft::source(1024, Precision::Single)),
-        ("fft.wgsl", fft::source(2048, Precision::Half)),
         ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source()),
         ("mips.wgsl", mips::source("rgba16float")),

@@ -32,11 +32,18 @@ const BANDS: usize = 3;
 /// Directions off the wind, radians.
 const DIRECTIONS: [f64; 4] = [-0.95, -0.3, 0.3, 0.95];
 
+/// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
+/// for any step. A lifetime of 0 or less leaves Fₑ.
+pub fn relaxed(foam: f64, equilibrium: f64, dt_s: f64, lifetime_s: f64) -> f64 {
+    if lifetime_s <= 0.0 {
+        return equilibrium;
+    }
+    equilibrium + (foam - equilibrium) * libm::exp(-dt_s.max(0.0) / lifetime_s)
+}
+
 /// F after `dt_s` seconds that began with `foam`, while the share `breaking` (0…1) breaks.
-/// Exact for any `dt_s`: F ← F∞ + (F − F∞) exp(−dt/τ), with τ the foam's lifetime or, upwards, [`GROWTH_S`].
 pub fn evolve(foam: f64, breaking: f64, dt_s: f64, lifetime_s: f64) -> f64 {
-    let tau = if breaking > foam { GROWTH_S } else { lifetime_s };
-    breaking + (foam - breaking) * libm::exp(-dt_s / tau)
+    relaxed(foam, breaking, dt_s, if breaking > foam { GROWTH_S } else { lifetime_s })
 }
 
 /// Where a level breaks: saturate((threshold − μ)/softness) of a texel.

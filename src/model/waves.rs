@@ -66,18 +66,14 @@ pub fn cell_energies(spectrum: &impl DirectionalSpectrum, tile: impl Into<Tile>)
 
 /// h0(k) = ½ (ξr + iξi) √E as [re, im], m. Noise is keyed by the signed index, so that a finer grid holds the same waves.
 pub fn initial_amplitudes(sea: &Sea, cascade_index: usize, tile: impl Into<Tile>) -> Vec<[f64; 2]> {
-    amplitudes(&sea.spectrum(), sea.seed, cascade_index, tile)
+    let tile = tile.into();
+    amplitudes(&cell_energies(&sea.spectrum(), tile), sea.seed, cascade_index, tile)
 }
 
-/// As [`initial_amplitudes`] for any spectrum.
-pub fn amplitudes(
-    spectrum: &impl DirectionalSpectrum,
-    seed: u32,
-    cascade_index: usize,
-    tile: impl Into<Tile>,
-) -> Vec<[f64; 2]> {
+/// As [`initial_amplitudes`] for any energies E, m², one for each element of the tile.
+pub fn amplitudes(energies: &[f64], seed: u32, cascade_index: usize, tile: impl Into<Tile>) -> Vec<[f64; 2]> {
     let tile = tile.into();
-    let amplitude = |(index, energy): (usize, f64)| {
+    let amplitude = |(index, &energy): (usize, &f64)| {
         if energy <= 0.0 {
             return [0.0; 2];
         }
@@ -85,7 +81,7 @@ pub fn amplitudes(
         let half = 0.5 * libm::sqrt(energy);
         noise::gaussian_pair(seed, cascade_index as u32, i, j).map(|xi| half * xi)
     };
-    cell_energies(spectrum, tile).into_iter().enumerate().map(amplitude).collect()
+    energies.iter().enumerate().map(amplitude).collect()
 }
 
 /// ω of every element, rad/s: gravity and surface tension over water `depth_m` deep (infinity: deep water).

@@ -6,6 +6,9 @@ use super::drawn_tiles::DrawnTiles;
 use super::moved_water::Place;
 use super::sea::SeaTables;
 use super::settings::Settings;
+use super::time::SceneTime;
+use super::view_state::ViewState;
+use crate::error::{Error, Result};
 use crate::model::waves;
 
 /// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal; as in `shaders/lib/waves.wgsl`.
@@ -60,4 +63,37 @@ pub fn sample_surface(settings: &Settings, lat: f64, lon: f64, unix_seconds: f64
         displacement_enu_m: [-rest.x, -rest.y, height_m],
         jacobian,
     }
+}
+
+/// The surface at a place of the open sea in degrees, in the sea of a link's fragment, at an ISO 8601 instant (`now`, or an empty
+/// text for the link's own; `now_s` is the clock's, UTC seconds since 1970).
+///
+/// # Errors
+/// [`Error::BadValue`] for a fragment, a place or an instant that is none.
+pub fn sample_link(fragment: &str, lng_deg: f64, lat_deg: f64, time: &str, now_s: f64) -> Result<SurfaceSample> {
+    let (state, complaints) = ViewState::parse_fragment(fragment, None);
+    if let Some(complaint) = complaints.into_iter().next() {
+        return Err(complaint);
+    }
+    if !lng_deg.is_finite() {
+        return Err(Error::bad_value("longitude", lng_deg, "give degrees east, e.g. -14.25"));
+    }
+    if !(-90.0..=90.0).contains(&lat_deg) {
+        return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
+    }
+    let instant = instant(&state, Some(time).filter(|time| !time.trim().is_empty()), now_s)?;
+    Ok(sample_surface(&state.settings, lat_deg.to_radians(), lng_deg.to_radians(), instant, f64::INFINITY))
+}
+
+/// The instant that a text asks for, else the state's, UTC seconds since 1970.
+///
+/// # Errors
+/// [`Error::BadValue`] for a text that is no instant.
+pub fn instant(state: &ViewState, time: Option<&str>, now_s: f64) -> Result<f64> {
+    let remedy = "write an instant as 2026-11-20T12:00:00Z, or now";
+    let time = match time {
+        Some(text) => SceneTime::parse(text).ok_or_else(|| Error::bad_value("time", text, remedy))?,
+        None => state.time,
+    };
+    Ok(time.unix_seconds(now_s))
 }
