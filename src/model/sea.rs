@@ -113,11 +113,13 @@ impl Sea {
         let swell = swell.filter(|swell| usable(swell.height_m) > 0.0 && usable(swell.period_s) > 0.0);
         let depth_m = if kind == SpectrumKind::Tma { SHELF_DEPTH_M } else { f64::INFINITY };
         let mut sea = Self { kind, fetch_m, depth_m, ..Self::from_wind(speed_mps, seed, chop) };
-        sea.hs_m = match sea.grown() {
-            Some(deep) if kind == SpectrumKind::Tma => quick_height(&directed(Tma::new(deep, depth_m))),
-            Some(deep) => deep.height(),
-            None => 0.0,
-        };
+        if let Some(deep) = sea.grown() {
+            sea.hs_m = match (kind, fetch_m) {
+                (SpectrumKind::Tma, _) => quick_height(&directed(Tma::new(deep, depth_m))),
+                (_, Some(_)) => deep.height(),
+                (_, None) => sea.hs_m,
+            };
+        }
         if let Some(swell) = swell {
             sea.hs_m = libm::sqrt(sea.hs_m * sea.hs_m + swell.height_m * swell.height_m);
         }
@@ -156,7 +158,7 @@ impl Sea {
         let (u10, hs) = (usable(self.speed_mps), usable(self.wind_height_m()));
         let mss = optics::cox_munk_mss(u10).total;
         let Some(grown) = self.grown().filter(|_| hs > 0.0) else {
-            return WindSpectrum::Phillips(Phillips::new(0.0, 0.0));
+            return WindSpectrum::Phillips(Phillips::CALM);
         };
         match self.kind {
             SpectrumKind::PiersonMoskowitz => {

@@ -47,7 +47,8 @@ impl<F: FrequencySpectrum, D: Spreading> Directed<F, D> {
     /// ω, rad/s, and S dω/dk, m³, of a wave number.
     fn ring(&self, k: f64) -> (f64, f64) {
         let depth = self.frequency.depth_m();
-        let (omega, group) = if depth.is_finite() {
+        // From kh = 20 on, tanh and n are those of deep water to the last bit.
+        let (omega, group) = if k * depth < 20.0 {
             let omega = dispersion::omega_finite(k, depth);
             (omega, dispersion::group_ratio(k, depth) * omega / k)
         } else {

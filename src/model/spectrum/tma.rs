@@ -33,8 +33,12 @@ impl Tma {
     /// φ of a wave number in rad/m over a depth in metres: 0 in no water, 1 in deep water.
     pub fn share(k: f64, depth_m: f64) -> f64 {
         let kh = k * depth_m;
-        if !(kh > 0.0) {
+        if kh.is_nan() || kh <= 0.0 {
             return 0.0;
+        }
+        // To the last bit, and most waves are shorter than that.
+        if kh > 20.0 {
+            return 1.0;
         }
         let tanh = libm::tanh(kh);
         tanh * tanh / (2.0 * dispersion::group_ratio(k, depth_m))
