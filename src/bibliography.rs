@@ -136,3 +136,7 @@ pub enum McCowan1894 {}
 /// Monahan, E. C. (1971), *Oceanic whitecaps*, J. Phys. Oceanogr. 1, 139–144: how fast whitecaps fade.
 /// <https://doi.org/10.1175/1520-0485(1971)001<0139:OW>2.0.CO;2>
 pub enum Monahan1971 {}
+
+/// Callaghan, A., de Leeuw, G., Cohen, L. and O'Dowd, C. D. (2008), *Relationship of oceanic whitecap coverage to wind speed and wind
+/// history*, Geophys. Res. Lett. 35, L23609. <https://doi.org/10.1029/2008GL036165>
+pub enum Callaghan2008 {}

@@ -72,6 +72,15 @@ fn pierson_moskowitz() {
 }
 
 #[test]
+fn phillips_constants() {
+    let file = file();
+    let table = &file["phillips"];
+    // A = α/2π gives this height per U², by both routes; the waves beyond 4,000 rad/m hold 1e-8.
+    let height = number(table, "Hs_with_A_physical_full_over_U2") * 144.0;
+    close(Phillips::plain(144.0 / GRAVITY, 0.0, 1.0, height).a, table, "A_physical_alpha_over_2pi", INTEGRAL);
+}
+
+#[test]
 fn jonswap_integrals() {
     let file = file();
     let values = file["jonswap_shape_integrals"]["values"].as_object().unwrap();
@@ -288,7 +297,11 @@ fn spreads() {
 #[test]
 fn whitecaps() {
     for row in rows(&file()["whitecap"]["rows"], 5) {
-        close(sea_state::whitecap_fraction(number(row, "U10")), row, "W_MOM80_robust", CLOSED);
+        let u10 = number(row, "U10");
+        close(sea_state::whitecap_fraction(u10), row, "W_MOM80_robust", CLOSED);
+        close(sea_state::whitecap_fraction_least_squares(u10), row, "W_MOM80_ols", CLOSED);
+        let callaghan = sea_state::whitecap_fraction_callaghan(u10);
+        assert!((callaghan - number(row, "W_callaghan2008")).abs() < 1e-15, "{callaghan} in {row}");
     }
 }
 
