@@ -319,6 +319,13 @@ fn nothing_overflows() {
         ("elfouhaily", Box::new(Elfouhaily::new(10.0, 1.0))),
         ("swell", Box::new(SwellTrain::new(2.0, 14.0, 1.0, f64::INFINITY).unwrap())),
     ];
+    let pm = PiersonMoskowitz { speed_19_5: 10.0 };
+    for exponent in -320..=308 {
+        let omega = 10f64.powi(exponent);
+        for s in [pm.density(omega), deep.density(omega), Tma::new(deep, 2.0).density(omega)] {
+            assert!(s.is_finite() && s >= 0.0, "{s} at {omega}");
+        }
+    }
     for (name, sea) in seas {
         for exponent in -320..=308 {
             let k = 10f64.powi(exponent);
