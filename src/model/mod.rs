@@ -14,6 +14,7 @@ pub mod optics;
 pub mod quadrature;
 pub mod sea;
 pub mod sea_bed;
+pub mod sea_spectrum;
 pub mod sea_state;
 pub mod spectrum;
 pub mod spreading;
