@@ -90,7 +90,7 @@ pub enum Bouws1985 {}
 
 /// Kitaigorodskii, S. A., Krasitskii, V. P. and Zaslavskii, M. M. (1975), *On Phillips' theory of equilibrium range in the spectra of
 /// wind-generated gravity waves*, J. Phys. Oceanogr. 5, 410–420.
-/// <https://doi.org/10.1175/1520-0485(1975)005<0410:OPTOER>2.0.CO;2>
+/// <https://doi.org/10.1175/1520-0485(1975)005%3C0410:OPTOER%3E2.0.CO;2>
 pub enum Kitaigorodskii1975 {}
 
 /// Elfouhaily, T., Chapron, B., Katsaros, K. and Vandemark, D. (1997), *A unified directional spectrum for long and short wind-driven
@@ -106,11 +106,11 @@ pub enum MobleyWebBook {}
 pub enum LonguetHiggins1963 {}
 
 /// Mitsuyasu, H. and others (1975), *Observations of the directional spectrum of ocean waves using a cloverleaf buoy*, J. Phys.
-/// Oceanogr. 5, 750–760. <https://doi.org/10.1175/1520-0485(1975)005<0750:OOTDSO>2.0.CO;2>
+/// Oceanogr. 5, 750–760. <https://doi.org/10.1175/1520-0485(1975)005%3C0750:OOTDSO%3E2.0.CO;2>
 pub enum Mitsuyasu1975 {}
 
 /// Hasselmann, D. E., Dunckel, M. and Ewing, J. A. (1980), *Directional wave spectra observed during JONSWAP 1973*, J. Phys. Oceanogr.
-/// 10, 1264–1280. <https://doi.org/10.1175/1520-0485(1980)010<1264:DWSODJ>2.0.CO;2>
+/// 10, 1264–1280. <https://doi.org/10.1175/1520-0485(1980)010%3C1264:DWSODJ%3E2.0.CO;2>
 pub enum Hasselmann1980 {}
 
 /// Donelan, M. A., Hamilton, J. and Hui, W. H. (1985), *Directional spectra of wind-generated waves*, Phil. Trans. R. Soc. A 315,
@@ -118,7 +118,7 @@ pub enum Hasselmann1980 {}
 pub enum Donelan1985 {}
 
 /// Banner, M. L. (1990), *Equilibrium spectra of wind waves*, J. Phys. Oceanogr. 20, 966–984: the spread beyond the peak.
-/// <https://doi.org/10.1175/1520-0485(1990)020<0966:ESOWW>2.0.CO;2>
+/// <https://doi.org/10.1175/1520-0485(1990)020%3C0966:ESOWW%3E2.0.CO;2>
 pub enum Banner1990 {}
 
 /// Horvath, C. J. (2015), *Empirical directional wave spectra for computer graphics*, DigiPro '15, 29–39.
@@ -138,5 +138,9 @@ pub enum Miche1944 {}
 pub enum McCowan1894 {}
 
 /// Monahan, E. C. (1971), *Oceanic whitecaps*, J. Phys. Oceanogr. 1, 139–144: how fast whitecaps fade.
-/// <https://doi.org/10.1175/1520-0485(1971)001<0139:OW>2.0.CO;2>
+/// <https://doi.org/10.1175/1520-0485(1971)001%3C0139:OW%3E2.0.CO;2>
 pub enum Monahan1971 {}
+
+/// Callaghan, A., de Leeuw, G., Cohen, L. and O'Dowd, C. D. (2008), *Relationship of oceanic whitecap coverage to wind speed and wind
+/// history*, Geophys. Res. Lett. 35, L23609. <https://doi.org/10.1029/2008GL036165>
+pub enum Callaghan2008 {}

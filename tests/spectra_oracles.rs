@@ -72,6 +72,15 @@ fn pierson_moskowitz() {
 }
 
 #[test]
+fn phillips_constants() {
+    let file = file();
+    let table = &file["phillips"];
+    // A = α/2π gives this height per U², by both routes; the waves beyond 4,000 rad/m hold 1e-8.
+    let height = number(table, "Hs_with_A_physical_full_over_U2") * 144.0;
+    close(Phillips::plain(144.0 / GRAVITY, 0.0, 1.0, height).a, table, "A_physical_alpha_over_2pi", INTEGRAL);
+}
+
+#[test]
 fn jonswap_integrals() {
     let file = file();
     let values = file["jonswap_shape_integrals"]["values"].as_object().unwrap();
@@ -288,7 +297,11 @@ fn spreads() {
 #[test]
 fn whitecaps() {
     for row in rows(&file()["whitecap"]["rows"], 5) {
-        close(sea_state::whitecap_fraction(number(row, "U10")), row, "W_MOM80_robust", CLOSED);
+        let u10 = number(row, "U10");
+        close(sea_state::whitecap_fraction(u10), row, "W_MOM80_robust", CLOSED);
+        close(sea_state::whitecap_fraction_least_squares(u10), row, "W_MOM80_ols", CLOSED);
+        let callaghan = sea_state::whitecap_fraction_callaghan(u10);
+        assert!((callaghan - number(row, "W_callaghan2008")).abs() < 1e-15, "{callaghan} in {row}");
     }
 }
 
@@ -306,6 +319,13 @@ fn nothing_overflows() {
         ("elfouhaily", Box::new(Elfouhaily::new(10.0, 1.0))),
         ("swell", Box::new(SwellTrain::new(2.0, 14.0, 1.0, f64::INFINITY).unwrap())),
     ];
+    let pm = PiersonMoskowitz { speed_19_5: 10.0 };
+    for exponent in -320..=308 {
+        let omega = 10f64.powi(exponent);
+        for s in [pm.density(omega), deep.density(omega), Tma::new(deep, 2.0).density(omega)] {
+            assert!(s.is_finite() && s >= 0.0, "{s} at {omega}");
+        }
+    }
     for (name, sea) in seas {
         for exponent in -320..=308 {
             let k = 10f64.powi(exponent);

@@ -47,7 +47,7 @@ fn drawn(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])
     let stages = wgpu::ShaderStages::COMPUTE;
     let layouts = [
         gpu.layout("frame", stages, &[Bind::Uniform, Bind::Uniform, Bind::Sampler, Bind::Sampler]),
-        gpu.layout("surface", stages, &[Bind::Texture(D2Array), Bind::Texture(D2Array), Bind::Texture(D2)]),
+        gpu.layout("surface", stages, &[D2Array, D2Array, D2Array, D2].map(Bind::Texture)),
         gpu.layout("points", stages, &[Bind::Storage, Bind::StorageWrite, Bind::StorageWrite]),
     ];
     let [pipeline] = gpu.compute("drawn", &shader::composed(KERNEL, ""), &layouts.each_ref(), ["drawn"]);
@@ -55,7 +55,8 @@ fn drawn(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])
     let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
     let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
     let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
-    let views = [texture::array_view(&fft.displacements), texture::array_view(&fft.gradients), texture::view(&perlin)];
+    let tiles = [&fft.displacements, &fft.gradients, &fft.moments].map(texture::array_view);
+    let views = [tiles[0].clone(), tiles[1].clone(), tiles[2].clone(), texture::view(&perlin)];
     let list: Vec<[f32; 4]> = points.iter().map(|p| p.as_vec3().extend(0.0).to_array()).collect();
     let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(&list));
     let size = (points.len() * 16) as u64;

@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::settings::{Mesh, Spectrum};
+use crate::scene::settings::Mesh;
 use crate::scene::view_state::ViewState;
 
 /// Draw a view into a PNG, or measure it into a NumPy array.
@@ -116,9 +116,7 @@ pub fn parse_state(text: &str) -> Result<ViewState> {
 fn not_drawn(state: &ViewState) -> Vec<&'static str> {
     let settings = &state.settings;
     let keys = [
-        ("spectrum", settings.spectrum != Spectrum::default()),
-        ("fetch", settings.fetch_km.is_some()),
-        ("swell", settings.swell.is_some()),
+        ("spectrum", !settings.spectrum.is_drawn()),
         ("mesh", settings.mesh != Mesh::default()),
     ];
     keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()

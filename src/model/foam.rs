@@ -15,6 +15,8 @@
 
 use super::{dispersion, noise, spectrum::DirectionalSpectrum};
 
+/// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
+pub const LIFETIME_S: f64 = 3.85;
 /// Time in which a breaking crest turns white to 1 − 1/e, s.
 pub const GROWTH_S: f64 = 0.25;
 /// Waves longer than this many texels move a level of the foam map: where a texel's mean and bilinear interpolation leave

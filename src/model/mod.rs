@@ -17,6 +17,7 @@ pub mod perlin;
 pub mod quadrature;
 pub mod sea;
 pub mod sea_bed;
+pub mod sea_spectrum;
 pub mod sea_state;
 pub mod spectrum;
 pub mod spreading;

@@ -1,4 +1,4 @@
-//! A sea: what decides the shape of its waves, and its spectrum.
+//! A sea: what decides the shape of its waves.
 //!
 //! The wind sea's height is the Beaufort table's for the wind, whatever the spectrum, unless a fetch is given: then it is the height of
 //! [JONSWAP's growth](Jonswap::from_fetch) over that fetch, or over the shorter one that grows the sea fully. Each spectrum finds the
@@ -10,7 +10,9 @@ use super::spectrum::{
     DAMPING_M, Directed, DirectionalSpectrum, Elfouhaily, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain,
     Tma,
 };
-use super::{dispersion, optics, quadrature::simpson_log, sea_state, spreading::DonelanBanner};
+use super::{optics, quadrature::simpson_log, sea_state, spreading::DonelanBanner};
+
+pub use super::sea_spectrum::{SeaSpectrum, WindSpectrum};
 
 /// Depth of the shelf under a TMA sea, m: that of the inner shelf, where the sea's longest waves feel the ground from grade 4 on.
 pub const SHELF_DEPTH_M: f64 = 15.0;
@@ -113,11 +115,13 @@ impl Sea {
         let swell = swell.filter(|swell| usable(swell.height_m) > 0.0 && usable(swell.period_s) > 0.0);
         let depth_m = if kind == SpectrumKind::Tma { SHELF_DEPTH_M } else { f64::INFINITY };
         let mut sea = Self { kind, fetch_m, depth_m, ..Self::from_wind(speed_mps, seed, chop) };
-        sea.hs_m = match sea.grown() {
-            Some(deep) if kind == SpectrumKind::Tma => quick_height(&directed(Tma::new(deep, depth_m))),
-            Some(deep) => deep.height(),
-            None => 0.0,
-        };
+        if let Some(deep) = sea.grown() {
+            sea.hs_m = match (kind, fetch_m) {
+                (SpectrumKind::Tma, _) => quick_height(&directed(Tma::new(deep, depth_m))),
+                (_, Some(_)) => deep.height(),
+                (_, None) => sea.hs_m,
+            };
+        }
         if let Some(swell) = swell {
             sea.hs_m = libm::sqrt(sea.hs_m * sea.hs_m + swell.height_m * swell.height_m);
         }
@@ -156,7 +160,7 @@ impl Sea {
         let (u10, hs) = (usable(self.speed_mps), usable(self.wind_height_m()));
         let mss = optics::cox_munk_mss(u10).total;
         let Some(grown) = self.grown().filter(|_| hs > 0.0) else {
-            return WindSpectrum::Phillips(Phillips::new(0.0, 0.0));
+            return WindSpectrum::Phillips(Phillips::CALM);
         };
         match self.kind {
             SpectrumKind::PiersonMoskowitz => {
@@ -201,94 +205,4 @@ fn quick_height(spectrum: &impl DirectionalSpectrum) -> f64 {
     let peak = spectrum.peak_wavenumber();
     let part = |from: f64, to: f64| simpson_log(from * peak, to * peak, 64, |k| spectrum.omnidirectional(k));
     4.0 * libm::sqrt(part(0.1, 1.0) + part(1.0, 5.0) + part(5.0, 1e3))
-}
-
-/// The spectrum of a wind sea.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum WindSpectrum {
-    /// Of [`SpectrumKind::Phillips`], and of every calm.
-    Phillips(Phillips),
-    /// Of [`SpectrumKind::PiersonMoskowitz`].
-    PiersonMoskowitz(SlopeTrue<Directed<PiersonMoskowitz, DonelanBanner>>),
-    /// Of [`SpectrumKind::Jonswap`].
-    Jonswap(SlopeTrue<Directed<Jonswap, DonelanBanner>>),
-    /// Of [`SpectrumKind::Tma`].
-    Tma(SlopeTrue<Directed<Tma, DonelanBanner>>),
-    /// Of [`SpectrumKind::Elfouhaily`].
-    Elfouhaily(SlopeTrue<Elfouhaily>),
-}
-
-/// Calls a method of whichever spectrum it is; through an enum, so that a sea stays `Copy` and its inner loops without pointers.
-macro_rules! each {
-    ($self:expr, $sea:ident => $call:expr) => {
-        match $self {
-            WindSpectrum::Phillips($sea) => $call,
-            WindSpectrum::PiersonMoskowitz($sea) => $call,
-            WindSpectrum::Jonswap($sea) => $call,
-            WindSpectrum::Tma($sea) => $call,
-            WindSpectrum::Elfouhaily($sea) => $call,
-        }
-    };
-}
-
-impl DirectionalSpectrum for WindSpectrum {
-    fn density(&self, kx: f64, ky: f64) -> f64 {
-        each!(self, sea => sea.density(kx, ky))
-    }
-
-    fn peak_wavenumber(&self) -> f64 {
-        each!(self, sea => sea.peak_wavenumber())
-    }
-
-    fn omnidirectional(&self, k: f64) -> f64 {
-        each!(self, sea => sea.omnidirectional(k))
-    }
-
-    fn peak_period(&self) -> f64 {
-        each!(self, sea => sea.peak_period())
-    }
-}
-
-/// Wind sea and swell: their energies add up.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeaSpectrum {
-    /// The wind sea.
-    pub wind: WindSpectrum,
-    /// The swell.
-    pub swell: Option<SwellTrain>,
-    /// Depth of the water, m.
-    pub depth_m: f64,
-}
-
-impl SeaSpectrum {
-    /// The swell, where the frequency spectrum's highest point is its peak.
-    fn leading_swell(&self) -> Option<&SwellTrain> {
-        let height = |part: &dyn DirectionalSpectrum| {
-            let k = part.peak_wavenumber();
-            // S(ω) = ∫F k dθ / (dω/dk).
-            if k > 0.0 { self.omnidirectional(k) / dispersion::group_velocity(k, self.depth_m) } else { 0.0 }
-        };
-        self.swell.as_ref().filter(|swell| height(*swell) >= height(&self.wind))
-    }
-}
-
-impl DirectionalSpectrum for SeaSpectrum {
-    fn density(&self, kx: f64, ky: f64) -> f64 {
-        let wind = self.wind.density(kx, ky);
-        self.swell.map_or(wind, |swell| wind + swell.density(kx, ky))
-    }
-
-    /// Of the higher of the two peaks.
-    fn peak_wavenumber(&self) -> f64 {
-        self.leading_swell().map_or_else(|| self.wind.peak_wavenumber(), SwellTrain::peak_wavenumber)
-    }
-
-    fn omnidirectional(&self, k: f64) -> f64 {
-        let wind = self.wind.omnidirectional(k);
-        self.swell.map_or(wind, |swell| wind + swell.omnidirectional(k))
-    }
-
-    fn peak_period(&self) -> f64 {
-        self.leading_swell().map_or_else(|| self.wind.peak_period(), SwellTrain::peak_period)
-    }
 }

@@ -82,7 +82,8 @@ impl FrequencySpectrum for Jonswap {
         let ratio_2 = (self.omega_p / omega) * (self.omega_p / omega);
         let sigma = if omega <= self.omega_p { 0.07 } else { 0.09 };
         let off = (omega / self.omega_p - 1.0) / sigma;
-        let peak = self.ln_gamma * libm::exp(-0.5 * off * off);
+        // Nine widths away it is below the last bit of what it is added to, and most waves are.
+        let peak = if off.abs() < 9.0 { self.ln_gamma * libm::exp(-0.5 * off * off) } else { 0.0 };
         let s = self.alpha * GRAVITY * GRAVITY * libm::exp(peak - 1.25 * ratio_2 * ratio_2) / fifth_power(omega);
         // Near ω = 0 the exponential underflows while ω⁻⁵ overflows.
         if s.is_finite() { s } else { 0.0 }

@@ -31,6 +31,8 @@ use super::{dispersion, quadrature::simpson_log};
 /// Integrals over all waves run from waves of 600 km to waves of 1.6 mm, rad/m; no sea has energy outside.
 const K_LONGEST: f64 = 1e-5;
 const K_SHORTEST: f64 = 4e3;
+/// A wind sea with its peak beyond this, rad/m, is a ripple of 1.6 cm: no sea, but a calm.
+const K_CALM: f64 = 400.0;
 
 /// A sea's energy over the wave-number plane. All of it depends on the sea alone, never on a grid.
 pub trait DirectionalSpectrum {

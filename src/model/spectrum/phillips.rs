@@ -1,6 +1,6 @@
 //! Phillips' spectrum as renderers use it, with a true height and true slopes.
 
-use super::{DirectionalSpectrum, K_SHORTEST, TAIL_EXPONENTS, TAIL_START};
+use super::{DirectionalSpectrum, K_CALM, K_SHORTEST, TAIL_EXPONENTS, TAIL_START};
 use crate::model::{GRAVITY, optics, quadrature::simpson_log};
 
 /// [Phillips'](crate::bibliography::Phillips1958) equilibrium range with the cut-off renderers know from
@@ -40,13 +40,16 @@ const PEAK_KL: f64 = 0.894_427_190_999_915_9;
 const SLOPE_INTEGRAL_TO_TAIL: f64 = 1.908_636_007_762_743_8;
 
 impl Phillips {
+    /// No waves.
+    pub const CALM: Self = Self { a: 0.0, l: 0.0, damping_m: DAMPING_M, upwind: 0.0, k_tail: 0.0, tail: 0.0 };
+
     /// The sea at wind speed `speed_mps` with significant height `hs_m`: slope-true, nothing against the wind.
     /// Speeds and heights that are negative or not finite count as a calm.
     pub fn new(speed_mps: f64, hs_m: f64) -> Self {
         let usable = |x: f64| if x.is_finite() { x.max(0.0) } else { 0.0 };
         let (speed, hs) = (usable(speed_mps), usable(hs_m));
         if speed == 0.0 || hs == 0.0 {
-            return Self { a: 0.0, l: 0.0, damping_m: DAMPING_M, upwind: 0.0, k_tail: 0.0, tail: 0.0 };
+            return Self::CALM;
         }
         Self::slope_true(speed, hs, speed * speed / GRAVITY)
     }
@@ -58,7 +61,7 @@ impl Phillips {
         if [speed_mps, hs_m, peak].into_iter().all(usable) {
             return Self::slope_true(speed_mps, hs_m, PEAK_KL / peak);
         }
-        Self::new(0.0, 0.0)
+        Self::CALM
     }
 
     /// `new` with a wish for L in place of U²/g; all arguments positive.
@@ -67,6 +70,9 @@ impl Phillips {
         // Without a tail mss(<10kp) = Hs²/(8 L²) · SLOPE_INTEGRAL_TO_TAIL.
         let least_l = hs * libm::sqrt(SLOPE_INTEGRAL_TO_TAIL / (8.0 * STEEPEST_SHARE * mss));
         let l = wanted_l.max(least_l);
+        if l.is_nan() || PEAK_KL / l >= K_CALM {
+            return Self::CALM;
+        }
         let k_tail = TAIL_START * PEAK_KL / l;
         let mut sea = Self { a: 1.0, l, damping_m: DAMPING_M, upwind: 0.0, k_tail, tail: 0.0 };
         let wanted = mss / (hs * hs / 16.0);
@@ -117,7 +123,7 @@ impl Phillips {
 impl DirectionalSpectrum for Phillips {
     fn density(&self, kx: f64, ky: f64) -> f64 {
         let k2 = kx * kx + ky * ky;
-        if k2 <= 0.0 || k2.is_nan() {
+        if !(k2 > 0.0 && k2.is_finite()) {
             return 0.0;
         }
         let side = if kx > 0.0 { 1.0 } else { self.upwind };

@@ -1,13 +1,11 @@
 //! Heights and slopes at once: what a spectrum's short waves lack of, or have beyond, the measured roughness.
 
-use super::{DirectionalSpectrum, K_SHORTEST};
+use super::{DirectionalSpectrum, K_CALM, K_SHORTEST};
 
 /// The tail begins at this many peak wave numbers; below, a spectrum is its source's.
 pub const TAIL_START: f64 = 10.0;
 /// Range of the tail exponent q: from nearly no tail to a bit above Toba's.
 pub const TAIL_EXPONENTS: (f64, f64) = (-8.0, 0.75);
-/// A peak beyond this, rad/m, is a ripple of 1.6 cm: no sea, but a calm.
-const K_CALM: f64 = 400.0;
 /// Intervals below and above the start of the tail.
 const INTERVALS: usize = 192;
 

@@ -1,7 +1,7 @@
 //! Waves of a far storm.
 
 use super::{Directed, DirectionalSpectrum, FrequencySpectrum, Jonswap};
-use crate::model::{quadrature::simpson_log, spreading::Cos2s};
+use crate::model::{dispersion, quadrature::simpson_log, spreading::Cos2s};
 
 /// γ of a swell's peak: dispersion has sorted the waves on their way, so that it is narrower than any wind sea's
 /// ([Goda](crate::bibliography::Goda2010) advises 3…10).
@@ -46,6 +46,8 @@ pub struct SwellTrain {
     waves: Directed<SwellPeak, Cos2s>,
     /// Direction of travel as (cos, sin) in the frame of the spectra.
     toward: (f64, f64),
+    /// Square of the wave number from which there is no energy: spares most of a grid the rest.
+    end_2: f64,
 }
 
 impl SwellTrain {
@@ -64,12 +66,17 @@ impl SwellTrain {
         let alpha = height_m * height_m / 16.0 / m0;
         let frequency = SwellPeak { jonswap: Jonswap::new(alpha, omega_p, SWELL_GAMMA), depth_m };
         let (sin, cos) = libm::sincos(toward);
-        Some(Self { waves: Directed { frequency, spreading: Cos2s::new(SWELL_S) }, toward: (cos, sin) })
+        let end = dispersion::wavenumber(libm::sqrt(END) * omega_p, depth_m);
+        let waves = Directed { frequency, spreading: Cos2s::new(SWELL_S) };
+        Some(Self { waves, toward: (cos, sin), end_2: end * end })
     }
 }
 
 impl DirectionalSpectrum for SwellTrain {
     fn density(&self, kx: f64, ky: f64) -> f64 {
+        if kx * kx + ky * ky > self.end_2 {
+            return 0.0;
+        }
         let (cos, sin) = self.toward;
         self.waves.density(cos * kx + sin * ky, cos * ky - sin * kx)
     }

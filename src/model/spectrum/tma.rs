@@ -1,7 +1,7 @@
 //! The growing sea over a shelf.
 
-use super::{FrequencySpectrum, Jonswap};
-use crate::model::dispersion;
+use super::{FrequencySpectrum, Jonswap, frequency::group_ratio};
+use crate::model::{GRAVITY, dispersion};
 
 /// [TMA](crate::bibliography::Bouws1985): a JONSWAP sea that has run onto water of a depth h. Its energy is
 /// [Kitaigorodskii's](crate::bibliography::Kitaigorodskii1975) share of the deep sea's, the one that keeps F(k) ∝ k⁻⁴:
@@ -33,11 +33,18 @@ impl Tma {
     /// φ of a wave number in rad/m over a depth in metres: 0 in no water, 1 in deep water.
     pub fn share(k: f64, depth_m: f64) -> f64 {
         let kh = k * depth_m;
-        if !(kh > 0.0) {
+        if kh.is_nan() || kh <= 0.0 {
             return 0.0;
         }
-        let tanh = libm::tanh(kh);
-        tanh * tanh / (2.0 * dispersion::group_ratio(k, depth_m))
+        Self::share_of(kh, libm::tanh(kh))
+    }
+
+    fn share_of(kh: f64, tanh: f64) -> f64 {
+        // To the last bit, and most waves are shorter than that.
+        if kh > 20.0 {
+            return 1.0;
+        }
+        tanh * tanh / (2.0 * group_ratio(kh, tanh))
     }
 }
 
@@ -55,6 +62,10 @@ impl FrequencySpectrum for Tma {
     }
 
     fn density_of_wave(&self, omega: f64, k: f64) -> f64 {
-        self.deep.density(omega) * Self::share(k, self.depth_m)
+        if k.is_nan() || k <= 0.0 {
+            return 0.0;
+        }
+        // The dispersion has it: tanh kh = ω²/(g k).
+        self.deep.density(omega) * Self::share_of(k * self.depth_m, omega * omega / (GRAVITY * k))
     }
 }
