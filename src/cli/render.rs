@@ -115,10 +115,7 @@ pub fn parse_state(text: &str) -> Result<ViewState> {
 /// Keys of a state that links carry and this version does not draw.
 fn not_drawn(state: &ViewState) -> Vec<&'static str> {
     let settings = &state.settings;
-    let keys = [
-        ("spectrum", !settings.spectrum.is_drawn()),
-        ("mesh", settings.mesh != Mesh::default()),
-    ];
+    let keys = [("spectrum", !settings.spectrum.is_drawn()), ("mesh", settings.mesh != Mesh::default())];
     keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
 

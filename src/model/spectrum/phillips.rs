@@ -6,13 +6,15 @@ use crate::model::{GRAVITY, optics, quadrature::simpson_log};
 /// [Phillips'](crate::bibliography::Phillips1958) equilibrium range with the cut-off renderers know from
 /// [Tessendorf](crate::bibliography::Tessendorf2001), an amplitude that gives a wanted height, and a slope-true tail:
 ///
-/// F = A k⁻⁴ exp(−1/(kL)²) cos²θ · upwind(θ) · exp(−k²ℓ²) · tail(k)
+/// F = A k⁻⁴ exp(−1/(kL)²) D(k, θ) · upwind(θ) · exp(−k²ℓ²) · tail(k)
 ///
 /// * L = U²/g. In light winds the table's height on so short a wave would be steeper than water stands, so L grows until the
 ///   waves below 10 kp hold no more than [`STEEPEST_SHARE`] of the slopes that Cox and Munk measured.
 /// * upwind = 1 for kx > 0, else the given share (0: nothing runs against the wind).
 /// * tail = 1 up to 10 kp and (k/10kp)^q beyond, with q such that ∫∫ k²F = [Cox and Munk's](crate::bibliography::CoxMunk1954)
 ///   mean square slope; q = 1/2 would be [Toba's](crate::bibliography::Toba1973) k⁻³·⁵. q stays in [`TAIL_EXPONENTS`].
+/// * D = cos²θ up to 10 kp; beyond, ever more waves run every way before the wind alike, (10kp/k) cos²θ + (1 − 10kp/k)/2: with cos²θ
+///   alone the slopes along the wind would be three times those across, where Cox and Munk measured 1.3 times.
 /// * A from Hs by the integral of all of this; without ℓ and tail it is Hs²/(4πL²) (downwind half) or Hs²/(8πL²) (both).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phillips {
@@ -127,7 +129,10 @@ impl DirectionalSpectrum for Phillips {
             return 0.0;
         }
         let side = if kx > 0.0 { 1.0 } else { self.upwind };
-        self.radial(libm::sqrt(k2)) * (kx * kx / k2) * side
+        let k = libm::sqrt(k2);
+        // Share of the waves that run every way before the wind alike; both forms hold π/2 of a half circle.
+        let even = if k > self.k_tail { 1.0 - self.k_tail / k } else { 0.0 };
+        self.radial(k) * ((1.0 - even) * (kx * kx / k2) + 0.5 * even) * side
     }
 
     fn peak_wavenumber(&self) -> f64 {
