@@ -182,6 +182,7 @@ impl App {
         let settled = self.shown.is_some() && !self.is_loading();
         self.page.publish("state", if settled { "settled" } else { "loading" });
         self.page.publish("frame-ms", &format!("{:.1}", self.frame_ms));
+        self.page.publish("sea", &panel::sea::Figures::of(&self.state.settings).json());
         self.page.publish("fragment", &self.state.format_fragment(None));
         self.page.publish("widgets", &self.panel.widgets_json(context.zoom_factor()));
     }

@@ -1,7 +1,7 @@
 //! The panel: widgets on the view state. Small enough for a window of 640 by 360.
 
 mod dial;
-mod sea;
+pub mod sea;
 mod time;
 
 use std::collections::BTreeMap;
@@ -151,6 +151,7 @@ impl Panel {
 
     fn body(&mut self, ui: &mut Ui, state: &mut ViewState, now_s: f64) -> Option<Action> {
         self.wind(ui, &mut state.settings);
+        sea::Figures::of(&state.settings).show(ui);
         ui.separator();
         let action = self.views(ui);
         ui.separator();

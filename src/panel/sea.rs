@@ -3,12 +3,55 @@
 use egui::{ComboBox, Response, Slider, Ui};
 
 use super::{Widgets, digits};
-use crate::scene::settings::{Settings, Spectrum, Swell};
+use crate::scene::foam::Whitecaps;
+use crate::scene::sea::SeaTables;
+use crate::scene::settings::{FoamRule, Settings, Spectrum, Swell};
 
 /// The fetch that the switch turns on with, km.
 const FETCH_KM: f64 = 300.0;
 /// The swell that the switch turns on with, from 60 degrees to the right of the wind.
 const SWELL: Swell = Swell { height_m: 2.0, period_s: 12.0, from_deg: 60.0 };
+
+/// The present sea in figures: significant height, period of the peak, mean square slope, share under whitecaps.
+pub struct Figures {
+    hs_m: f64,
+    tp_s: f64,
+    mean_square_slope: f64,
+    whitecaps: f64,
+}
+
+impl Figures {
+    /// Those of the sea that `settings` ask for.
+    pub fn of(settings: &Settings) -> Self {
+        let tables = SeaTables::of(settings);
+        Self {
+            hs_m: tables.sea.hs_m,
+            tp_s: tables.peak_period_s,
+            mean_square_slope: tables.mean_square_slope(),
+            whitecaps: Whitecaps::of(settings, &tables).share,
+        }
+    }
+
+    /// As a JSON object, for the page's scripts.
+    pub fn json(&self) -> String {
+        let Self { hs_m, tp_s, mean_square_slope, whitecaps } = self;
+        format!(
+            "{{\"hs_m\":{hs_m:.3},\"tp_s\":{tp_s:.3},\"mean_square_slope\":{mean_square_slope:.5},\"whitecaps\":{whitecaps:.5}}}"
+        )
+    }
+
+    /// Shows them.
+    pub fn show(&self, ui: &mut Ui) {
+        let Self { hs_m, tp_s, mean_square_slope, whitecaps } = self;
+        let line = |ui: &mut Ui, text: String, hint: &str| ui.weak(text).on_hover_text(hint.to_owned());
+        ui.horizontal_wrapped(|ui| {
+            line(ui, format!("Hs {hs_m:.1} m"), "Significant wave height: the mean of the highest third of the waves");
+            line(ui, format!("Tp {tp_s:.1} s"), "Period of the waves that carry the most energy");
+            line(ui, format!("slopes² {mean_square_slope:.3}"), "Mean square slope: how rough the water is to light");
+            line(ui, format!("foam {:.1} %", 100.0 * whitecaps), "Share of the water under whitecaps");
+        });
+    }
+}
 
 /// Shows the widgets and applies what the user does with them.
 pub fn show(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
@@ -20,6 +63,11 @@ pub fn show(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
     let lifetime = slider(&mut settings.foam.lifetime_s, 0.1..=60.0, 1).logarithmic(true);
     let lifetime = note(ui, widgets, "foamLifetime", lifetime.suffix(" s").text("foam fades"));
     lifetime.on_hover_text("Time after which a third of a patch of foam is left");
+    let mut by_height = settings.foam.rule == FoamRule::Height;
+    let rule = ui.checkbox(&mut by_height, "foam on high water");
+    widgets.note("foamByHeight", &rule);
+    rule.on_hover_text("Instead of where the waves break");
+    settings.foam.rule = if by_height { FoamRule::Height } else { FoamRule::Folding };
 }
 
 fn spectrum(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {

@@ -15,6 +15,8 @@ use super::settings::{Quality, Settings};
 pub struct SeaTables {
     /// The sea itself.
     pub sea: Sea,
+    /// Period of its spectrum's peak, s; 0 for a calm.
+    pub peak_period_s: f64,
     /// Its wave tiles, longest first.
     pub cascades: Vec<Cascade>,
     /// Slopes of each tile's waves.
@@ -68,7 +70,8 @@ impl SeaTables {
         let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
         let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
         let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
-        let mut tables = Self { sea, cascades, cascade_slopes, below_slopes, chop_level_m, perlin: Octaves::default() };
+        let (peak_period_s, perlin) = (spectrum.peak_period(), Octaves::default());
+        let mut tables = Self { sea, peak_period_s, cascades, cascade_slopes, below_slopes, chop_level_m, perlin };
         tables.perlin = Octaves::of(&spectrum, tables.slopes());
         tables
     }

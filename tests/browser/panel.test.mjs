@@ -52,6 +52,12 @@ test("the wind's speed changes the sea and the address", async () => {
   assert.equal(from, 250);
   const { mean } = difference(before, await sea());
   assert.ok(mean > 2, `the picture hardly changes: ${mean}`);
+  // The figures are those of the new wind: the measured whitecap fraction, capped at a quarter; the Beaufort table's heights.
+  const figures = JSON.parse(await globe.page.evaluate(() => document.getElementById("globe").dataset.sea));
+  assert.ok(Math.abs(figures.whitecaps - Math.min(3.84e-6 * speed ** 3.41, 0.25)) < 1e-4, `${speed} m/s: ${figures.whitecaps}`);
+  assert.ok(figures.hs_m > 5.5 && figures.hs_m <= 14 && figures.tp_s > 8, `${figures.hs_m} m, ${figures.tp_s} s`);
+  // Cox and Munk's line, to 10 %.
+  assert.ok(Math.abs(figures.mean_square_slope / (0.003 + 0.00512 * speed) - 1) < 0.1, `${figures.mean_square_slope}`);
 });
 
 test("the dial turns the wind, and the waves with it", async () => {
