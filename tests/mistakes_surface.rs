@@ -191,8 +191,8 @@ fn the_local_wave_number_times_the_distance() {
 #[test]
 fn schlick_from_below_with_the_wrong_cosine() {
     let check = |below: &dyn Fn(f64) -> f64| {
-        // Against Fresnel, past the critical angle of 48.6 degrees and before it.
-        [10.0f64, 30.0, 50.0, 70.0].iter().all(|degrees| {
+        // Against Fresnel, before the critical angle of 48.6 degrees and past it.
+        [10.0f64, 30.0, 45.0, 47.0, 50.0, 70.0].iter().all(|degrees| {
             let cos = degrees.to_radians().cos();
             (below(cos) - optics::fresnel(cos, 1.333, 1.0).unpolarised()).abs() < 0.04
         })

@@ -10,7 +10,7 @@ use crate::scene::surface_sample::{instant, sample_surface};
 use crate::scene::time::SceneTime;
 
 /// Print elevation, depth, water class, shore distance and the surface of the sea at a place, as JSON.
-#[derive(Debug, Clone, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 #[command(after_help = "Examples:
   ocean-globe sample --at 35.6812,-14.25
   ocean-globe sample --at=-90,0 --data www/data
