@@ -12,6 +12,9 @@ use serde_json::{Map, Value};
 
 const DEFAULT_FILE: &str = "target/bench/waves.json";
 
+/// Prints a table and returns it for the record.
+type Section = fn(&Gpu) -> Value;
+
 fn main() {
     // cargo passes --bench; what is no option is the file.
     let path = std::env::args().skip(1).find(|a| !a.starts_with('-')).unwrap_or_else(|| DEFAULT_FILE.into());
@@ -19,7 +22,7 @@ fn main() {
     println!("{}\n", gpu.adapter);
     let mut record = Map::new();
     record.insert("adapter".into(), gpu.adapter.clone().into());
-    let sections: [(&str, fn(&Gpu) -> Value); 6] = [
+    let sections: [(&str, Section); 6] = [
         ("verified", sections::verified),
         ("heights_and_normals", sections::heights_and_normals),
         ("frame", sections::frame),
