@@ -71,3 +71,8 @@ pub enum CooleyTukey1965 {}
 /// Monahan, E. C. and O'Muircheartaigh, I. (1980), *Optimal power-law description of oceanic whitecap coverage dependence on
 /// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010<2094:OPLDOO>2.0.CO;2>
 pub enum Monahan1980 {}
+
+/// Govindaraju, N. K., Lloyd, B., Dotsenko, Y., Smith, B. and Manferdelli, J. (2008), *High performance discrete Fourier transforms
+/// on graphics processors*, Proc. ACM/IEEE Conf. on Supercomputing (SC '08), 2: Stockham's transform with several elements per
+/// thread and exchanges through shared memory. <https://doi.org/10.1109/SC.2008.5213922>
+pub enum Govindaraju2008 {}
