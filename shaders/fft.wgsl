@@ -108,10 +108,9 @@ fn packed(ab: vec4f, cd: vec4f) -> vec4u {
 fn unpacked(a: u32, b: u32) -> vec4f { return vec4f(unpack2x16float(a), unpack2x16float(b)); }
 
 fn put(at: vec2u, cascade: u32, displacement: vec4f, gradient: vec4f) {
-    let divergence = gradient.z + gradient.w;
     textureStore(displacements, at, cascade, displacement);
     textureStore(gradients, at, cascade, gradient);
-    textureStore(moments, at, cascade, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, divergence * divergence));
+    textureStore(moments, at, cascade, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, displacement.w));
 }
 
 @compute @workgroup_size(THREADS)

@@ -140,7 +140,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var radiance = albedo / PI * (sun + ambient);
     if ground.is_lake {
         let shore = smoothstep(0.0, 60.0 + footprint, ground.lake_shore);
-        let lake = water_radiance(WaterPoint(to_eye, up, up, 0.004, 1.0, 20.0, vec3f(0.0), 0.0));
+        let lake = water_radiance(WaterPoint(to_eye, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0));
         radiance = mix(radiance, lake, shore);
     }
     if frame.under_water == 1u {

@@ -2,7 +2,7 @@
 // from a projector raised above the highest; moved by the waves along the
 // ellipsoid's normal, shaded over what the land pass left. The water class decides what is sea, never the depth buffer.
 #import world
-#import waves
+#import foam
 #import water
 #import output
 
@@ -93,16 +93,11 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), rest, local, moved.z);
 }
 
-// Bubbles and gaps in a whitecap: fine wave slopes of the shortest tile, as a pattern that moves with the water.
-fn foam_texture(rest: vec3f, footprint: Metres) -> f32 {
-    let c = frame.cascade_count - 1u;
-    let local = vec2f(dot(rest, nodes[0].axis_x), dot(rest, nodes[0].axis_y)) + tile_start(0u, c);
-    let length = frame.patches[c];
-    let lod = mip_for(footprint, length, f32(textureDimensions(gradients).x));
-    let fine = textureSampleLevel(gradients, repeated, local * 0.73 / length, c, lod).zw
-        + textureSampleLevel(gradients, repeated, local.yx * 1.9 / length, c, lod + 1.0).wz;
-    let spread = sqrt(max(mean_square_slope_above(6.2831853 / length), 1e-4));
-    return 0.72 + 0.28 * clamp((fine.x + fine.y) / spread, -2.0, 1.0);
+// Unit vector along the wind, which blows from the same bearing everywhere.
+fn along_wind(up: vec3f) -> vec3f {
+    let east = cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up);
+    let wind = frame.wind.x * east + frame.wind.y * cross(up, east);
+    return normalize(wind + 1e-6 * vec3f(1.0, 0.0, 0.0));
 }
 
 @fragment
@@ -154,14 +149,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let seen = through_water(window_radiance(direction, normal, up), distance);
         return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), seen);
     }
-    // Crests fold where the chop's divergence, which has the variance of the resolved slopes, passes the quantile that the
-    // whitecap fraction asks for; beyond what pixels hold, the fraction itself.
-    let resolved = sqrt(max(mean_square_slope_above(0.0) - slopes.unresolved, 1e-6)) * frame.chop;
-    let threshold = 1.0 - frame.foam_quantile * resolved;
-    let folded = smoothstep(threshold + 0.35 * resolved, threshold - 0.7 * resolved, slopes.fold);
-    let near_foam = folded * foam_texture(rest, footprint);
-    let foam = frame.foam * calmed * mix(near_foam, frame.whitecaps, smoothstep(1.5, 25.0, footprint));
-    let water = water_radiance(WaterPoint(-direction, up, normal, max(slopes.unresolved, 1e-5), alpha, depth,
+    let foam_at = foam_coordinates(rest);
+    let foam = calmed * foam_lace(foam_share(foam_at, in.height, footprint), foam_at, footprint);
+    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
     let air = scatter_to_surface(direction, distance);
     let radiance = water * air.transmittance + air.radiance;

@@ -1,10 +1,10 @@
 // The far sea: octaves of tileable gradient noise (K. Perlin 1985, 2002), stretched across the wind, drifting and
 // changing with time, with slopes by central differences of four neighbours.
-// Output (height, dh/dx, dh/dy, 0): unit standard deviation; slopes per metre of the patch.
+// Output (height, dh/dx, dh/dy, hx hx + hy hy), metres. Amplitudes: src/model/perlin.rs.
 #import hash
 
 struct PerlinSettings {
-    // Per octave: drift downwind as a fraction of the patch, turn of the lattice gradients in radians, amplitude, unused.
+    // Per octave: drift downwind as a fraction of the patch, turn of the lattice gradients in radians, amplitude in metres, unused.
     octaves: array<vec4f, OCTAVES>,
     patch_length: f32,     // metres
     seed: u32,
@@ -61,5 +61,5 @@ fn octaves(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_id) lo
     let here = (local.y + 1u) * REACH + local.x + 1u;
     let step = 2.0 * settings.patch_length / size.x;
     let slope = vec2f(heights[here + 1u] - heights[here - 1u], heights[here + REACH] - heights[here - REACH]) / step;
-    textureStore(output, group.xy * SIDE + local.xy, vec4f(heights[here], slope, 0.0));
+    textureStore(output, group.xy * SIDE + local.xy, vec4f(heights[here], slope, dot(slope, slope)));
 }

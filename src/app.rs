@@ -236,7 +236,7 @@ impl eframe::App for App {
         let waits = if self.flight.is_some() { None } else { self.address.write(&mut *self.page, &self.state, now) };
         self.publish(&context);
         self.last_frame_s = (moving || self.flight.is_some()).then_some(now);
-        if self.last_frame_s.is_some() {
+        if self.last_frame_s.is_some() || self.renderer.is_replaying() {
             context.request_repaint();
         } else if self.is_loading() {
             // What arrives wakes us; this is for what must be asked for again.

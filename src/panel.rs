@@ -1,6 +1,7 @@
 //! The panel: widgets on the view state. Small enough for a window of 640 by 360.
 
 mod dial;
+mod sea;
 mod time;
 
 use std::collections::BTreeMap;
@@ -12,7 +13,7 @@ use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
 use crate::scene::number::decimal;
-use crate::scene::settings::{Settings, Spectrum};
+use crate::scene::settings::Settings;
 use crate::scene::view_state::ViewState;
 use crate::scene::views::{VIEWS, View};
 
@@ -204,20 +205,8 @@ impl Panel {
     }
 
     fn sea(&mut self, ui: &mut Ui, settings: &mut Settings) {
-        let spectrum = ComboBox::from_label("spectrum").width(110.0);
-        let name = |wanted: Spectrum| Spectrum::ALL.iter().find(|(s, _)| *s == wanted).map_or("", |(_, name)| name);
-        spectrum.selected_text(name(settings.spectrum)).show_ui(ui, |ui| {
-            for (spectrum, name) in Spectrum::ALL {
-                let enabled = spectrum == Spectrum::Phillips;
-                ui.add_enabled_ui(enabled, |ui| {
-                    let label = ui.selectable_value(&mut settings.spectrum, spectrum, name);
-                    label.on_disabled_hover_text("Kept in the link; drawn as phillips in this version");
-                });
-            }
-        });
         ui.spacing_mut().slider_width = 80.0;
-        let chop = ui.add(Slider::new(&mut settings.chop, 0.0..=2.0).custom_formatter(digits(2)).text("chop"));
-        self.widgets.note("chop", &chop);
+        sea::show(ui, settings, &mut self.widgets);
         let density =
             Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).custom_formatter(digits(3)).text("ρ, 1/m");
         ui.add(density).on_hover_text("The water hides the ground by 1 − exp(−ρ·depth)");

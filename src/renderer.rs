@@ -7,6 +7,7 @@ use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
 use crate::pass::fft::{Fft, Precision, WaveData};
+use crate::pass::foam::Foam;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
 use crate::pass::ocean::Ocean;
@@ -16,6 +17,7 @@ use crate::pass::sky_table::SkyTable;
 use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::camera::{Camera, LOWEST_M};
+use crate::scene::foam::Whitecaps;
 use crate::scene::frame::Frame;
 use crate::scene::navigate::above_ground;
 use crate::scene::ride::surface_height;
@@ -26,6 +28,8 @@ use std::sync::Arc;
 
 /// Format of the target that [`Renderer::render`] draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Steps of a foam replay that a frame of a moving picture may take: the rest follows in the next frames.
+const REPLAY_STEPS: usize = 2;
 const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// What the scene's radiance is stored in.
@@ -84,13 +88,17 @@ pub struct Renderer {
     fft: Fft,
     perlin: Perlin,
     surface_layout: wgpu::BindGroupLayout,
-    surface_group: wgpu::BindGroup,
+    /// One for each foam map.
+    surface_groups: [wgpu::BindGroup; 2],
+    foam: Foam,
     sky: Sky,
     land: Land,
     ocean: Ocean,
     tonemap: Tonemap,
     targets: Option<Targets>,
     sea: Option<Arc<SeaTables>>,
+    whitecaps: Option<Whitecaps>,
+    foam_complete: bool,
     visible: Vec<TileId>,
     complete: bool,
 }
@@ -122,11 +130,11 @@ impl Renderer {
         let sky_table = SkyTable::new(&gpu, frame);
         let fft = Fft::new(&gpu, 256, crate::model::waves::CASCADES, Precision::Half);
         let perlin = Perlin::new(&gpu);
-        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
-        let binds =
-            [Bind::Texture(D2Array), Bind::Texture(D2Array), Bind::Texture(D2), Bind::Texture(D3), Bind::Texture(D2)];
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
+        let binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
         let surface_layout = gpu.layout("surface", stages, &binds);
-        let surface_group = surface_group(&gpu, &surface_layout, &fft, &perlin, &sky_table);
+        let foam = Foam::new(&gpu, frame, &surface_layout);
+        let surface_groups = surface_groups(&gpu, &surface_layout, &fft, &perlin, &foam, &sky_table);
         Self {
             sky: Sky::new(&gpu, frame, &surface_layout, radiance),
             land: Land::new(&gpu, frame, &surface_layout, radiance, DEPTH_FORMAT),
@@ -139,9 +147,12 @@ impl Renderer {
             fft,
             perlin,
             surface_layout,
-            surface_group,
+            surface_groups,
+            foam,
             targets: None,
             sea: None,
+            whitecaps: None,
+            foam_complete: true,
             visible: Vec::new(),
             complete: false,
             gpu,
@@ -156,22 +167,25 @@ impl Renderer {
         self.complete
     }
 
+    /// Replays the foam's history for a frame to its end, as a still picture needs it.
+    pub fn settle(&mut self, frame: &Frame) {
+        self.take_sea(frame);
+        self.upload(frame);
+        self.replay_foam(frame, usize::MAX);
+    }
+
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
         self.fit(frame.size);
-        self.take_sea(&frame.sea);
+        self.take_sea(frame);
+        self.upload(frame);
+        let foam_step = self.replay_foam(frame, REPLAY_STEPS);
         let Some(targets) = &self.targets else { return };
-
-        let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
-        let eye = frame.camera;
-        let in_sea = eye.altitude_m < 0.0
-            && self.world.sample_resident(eye.lat, eye.lon).is_some_and(|place| place.depth_m.is_some());
-        self.frame_group.upload(&self.gpu, frame, resolution, in_sea);
         self.fft.set_time(&self.gpu, frame.ticks());
         self.perlin.prepare(&self.gpu, frame);
         self.land.set_tiles(&self.gpu, &self.visible);
-        let (frame_group, surface) = (&self.frame_group.group, &self.surface_group);
+        let frame_group = &self.frame_group.group;
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -180,7 +194,12 @@ impl Renderer {
             self.perlin.dispatch(&mut pass);
             self.fft.dispatch_mips(&mut pass);
             self.perlin.dispatch_mips(&mut pass);
+            if foam_step {
+                let surface = &self.surface_groups[self.foam.current()];
+                self.foam.dispatch(&mut pass, frame_group, surface);
+            }
         }
+        let surface = &self.surface_groups[self.foam.current()];
         let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));
         let layers = frame.uniform.layers;
         {
@@ -211,6 +230,48 @@ impl Renderer {
         self.tonemap.draw(&mut pass);
     }
 
+    /// Hands the frame to the GPU.
+    fn upload(&mut self, frame: &Frame) {
+        let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
+        let eye = frame.camera;
+        let in_sea = eye.altitude_m < 0.0
+            && self.world.sample_resident(eye.lat, eye.lon).is_some_and(|place| place.depth_m.is_some());
+        self.frame_group.upload(&self.gpu, frame, resolution, in_sea);
+    }
+
+    /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own. True when
+    /// the frame itself is to make the last step, from its own waves.
+    fn replay_foam(&mut self, frame: &Frame, mut budget: usize) -> bool {
+        self.foam_complete = true;
+        let Some(lifetime_s) = frame.foam_lifetime_s else {
+            self.foam.reset();
+            return false;
+        };
+        let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
+        while let Some(instant) = self.foam.next_instant(ticks, eye, lifetime_s) {
+            if instant != ticks && budget == 0 {
+                self.foam_complete = false;
+                return false;
+            }
+            self.foam.prepare(&self.gpu, instant, eye, lifetime_s);
+            if instant == ticks {
+                return true;
+            }
+            budget -= 1;
+            self.fft.set_time(&self.gpu, instant);
+            let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+            {
+                let mut pass = encoder.begin_compute_pass(&Default::default());
+                self.fft.dispatch(&mut pass);
+                self.fft.dispatch_mips(&mut pass);
+                let surface = &self.surface_groups[self.foam.current()];
+                self.foam.dispatch(&mut pass, &self.frame_group.group, surface);
+            }
+            self.gpu.queue.submit([encoder.finish()]);
+        }
+        false
+    }
+
     /// Makes the textures of the picture's size.
     fn fit(&mut self, size: [u32; 2]) {
         if self.targets.as_ref().is_some_and(|targets| targets.size == size) {
@@ -223,17 +284,23 @@ impl Renderer {
     }
 
     /// Makes the waves of a sea that is not the last one.
-    fn take_sea(&mut self, sea: &Arc<SeaTables>) {
+    fn take_sea(&mut self, frame: &Frame) {
+        if self.whitecaps != Some(frame.whitecaps) {
+            self.whitecaps = Some(frame.whitecaps);
+            self.foam.reset();
+        }
+        let sea = &frame.sea;
         if self.sea.as_ref().is_some_and(|kept| kept == sea) {
             return;
         }
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
             self.fft = Fft::new(&self.gpu, n, sea.cascades.len(), Precision::Half);
-            self.surface_group =
-                surface_group(&self.gpu, &self.surface_layout, &self.fft, &self.perlin, &self.sky_table);
+            self.surface_groups =
+                surface_groups(&self.gpu, &self.surface_layout, &self.fft, &self.perlin, &self.foam, &self.sky_table);
         }
         self.fft.set_waves(&self.gpu, &sea.cascades, &WaveData::of(sea));
+        self.foam.reset();
         self.sea = Some(sea.clone());
     }
 
@@ -258,9 +325,14 @@ impl Renderer {
         &mut self.world
     }
 
-    /// Whether more tiles are on their way, so that another frame would look different.
+    /// Whether more tiles are on their way, or the foam's history is being replayed, so that another frame would look different.
     pub fn needs_redraw(&self) -> bool {
-        !self.complete
+        !self.complete || self.is_replaying()
+    }
+
+    /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.
+    pub fn is_replaying(&self) -> bool {
+        !self.foam_complete
     }
 
     /// The device.
@@ -274,21 +346,27 @@ impl Renderer {
     }
 }
 
-fn surface_group(
+/// Bind group 1 with either foam map.
+fn surface_groups(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     fft: &Fft,
     perlin: &Perlin,
+    foam: &Foam,
     sky: &SkyTable,
-) -> wgpu::BindGroup {
-    let views = [
-        texture::array_view(&fft.displacements),
-        texture::array_view(&fft.gradients),
-        texture::view(&perlin.texture),
-        sky.radiance.clone(),
-        sky.irradiance.clone(),
-    ];
-    gpu.bind("surface", layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
+) -> [wgpu::BindGroup; 2] {
+    foam.maps.each_ref().map(|map| {
+        let views = [
+            texture::array_view(&fft.displacements),
+            texture::array_view(&fft.gradients),
+            texture::array_view(&fft.moments),
+            texture::view(&perlin.texture),
+            map.clone(),
+            sky.radiance.clone(),
+            sky.irradiance.clone(),
+        ];
+        gpu.bind("surface", layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
+    })
 }
 
 fn begin<'a>(

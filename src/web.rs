@@ -19,6 +19,7 @@ use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::model::waves;
 use crate::renderer::Renderer;
+use crate::scene::surface_sample::sample_link;
 use crate::scene::view_state::ViewState;
 use crate::scene::views;
 
@@ -166,6 +167,25 @@ fn text_of(error: &JsValue) -> String {
 #[wasm_bindgen]
 pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
     waves_hash(seed, speed_mps)
+}
+
+/// The surface of the open sea at a place, from the same numbers that are drawn: `{height, normal: [east, north, up]}`, metres
+/// over the ellipsoid and a unit vector. `fragment` is a link's, which says the sea; `time` ISO 8601, `now`, or empty for the
+/// link's.
+///
+/// The first sample of an instant costs some tenths of a second, further ones microseconds: ask for many places of one instant.
+///
+/// # Errors
+/// An `Error` that says in one line which argument is not valid and what would be.
+#[wasm_bindgen(js_name = sampleSurface)]
+pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::result::Result<JsValue, JsValue> {
+    let failed = |error: Error| JsValue::from(js_sys::Error::new(&error.to_string()));
+    let sample = sample_link(fragment, lng, lat, time, unix_now_s()).map_err(failed)?;
+    let object = js_sys::Object::new();
+    let normal: js_sys::Array = sample.normal_enu.into_iter().map(JsValue::from_f64).collect();
+    js_sys::Reflect::set(&object, &"height".into(), &sample.height_m.into())?;
+    js_sys::Reflect::set(&object, &"normal".into(), &normal)?;
+    Ok(object.into())
 }
 
 /// See [`h0_hash`]. All tiles of 256 by 256 samples in a row.

@@ -59,7 +59,7 @@ fn the_same_input_gives_the_same_bytes_and_nothing_else_is_left() {
 fn the_baked_world_says_what_was_put_in() {
     let folder = baked("contents");
     let at =
-        |place: &str| sample(&SampleArgs { at: place.into(), data: folder.path().to_str().unwrap().into() }).unwrap();
+        |place: &str| sample(&SampleArgs { at: place.into(), data: folder.path().to_str().unwrap().into(), state: String::new(), time: None }).unwrap();
     // Place, class, elevation: the continent is 500 m high, the basin inland -100 m, the sea 3,000 m deep.
     for (place, class, metres) in [
         ("10,10", "land", 500.0),

@@ -157,9 +157,10 @@ fn moments_are_products_of_the_gradients_and_mips_are_plain_means() {
     for layer in 0..tables.cascades.len() as u32 {
         let gradients = floats(&gpu, &fft.gradients, layer, 0);
         let moments = floats(&gpu, &fft.moments, layer, 0);
-        for (g, m) in gradients.chunks(4).zip(moments.chunks(4)) {
-            let want = [g[0] * g[0], g[1] * g[1], g[0] * g[1], (g[2] + g[3]) * (g[2] + g[3])];
-            // One rounding of a sum and one of a product: 2^-22 of the value.
+        let displacements = floats(&gpu, &fft.displacements, layer, 0);
+        for ((g, m), d) in gradients.chunks(4).zip(moments.chunks(4)).zip(displacements.chunks(4)) {
+            let want = [g[0] * g[0], g[1] * g[1], g[0] * g[1], d[3]];
+            // One rounding of a product: 2^-22 of the value.
             let close = |(a, b): (&f32, &f32)| (a - b).abs() <= b.abs() * 2f32.powi(-22);
             assert!(m.iter().zip(&want).all(close), "{m:?} {want:?}");
         }

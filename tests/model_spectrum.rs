@@ -2,7 +2,7 @@
 //! tiles' shares of the energy.
 
 use ocean_globe::model::{
-    optics,
+    optics, sea_state,
     spectrum::{DirectionalSpectrum, Phillips},
     waves::*,
 };
@@ -40,7 +40,8 @@ fn phillips_amplitude_in_closed_form() {
 fn spectrum_keeps_height_and_slopes() {
     for speed in [0.3, 0.836, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0, 35.0, 60.0] {
         let sea = sea(speed, 0);
-        let spectrum = sea.spectrum();
+        let spectrum = Phillips::new(sea.speed_mps, sea.hs_m);
+        assert_eq!(sea.spectrum().density(0.3, 0.1), spectrum.density(0.3, 0.1), "it is what the sea is drawn with");
         // Two Simpson rules of different steps against each other; the tail's kink costs the coarser its order.
         assert!((spectrum.significant_height() / sea.hs_m - 1.0).abs() < 1e-4, "{speed} m/s");
         let (got, want) = (spectrum.mss_above(0.0), optics::cox_munk_mss(speed).total);
@@ -72,69 +73,82 @@ fn spectrum_keeps_height_and_slopes() {
 }
 
 #[test]
-fn cascades_share_the_spectrum() {
-    for speed in [0.0, 1.0, 3.0, 6.0, 10.0, 15.0, 20.0, 28.0, 35.0, 60.0] {
-        let sea = sea(speed, 0);
-        let spectrum = sea.spectrum();
-        let tiles = cascades(&sea, 256);
-        println!("{speed} m/s: {tiles:?}");
-        assert_eq!(tiles.len(), CASCADES);
-        assert_eq!(tiles[0].k_min, 0.0);
-        assert!((300.0..=6000.0).contains(&tiles[0].patch_m));
-        if speed > 0.0 && tiles[0].patch_m < 6000.0 {
-            assert!(tiles[0].patch_m * spectrum.peak_wavenumber() / std::f64::consts::TAU >= 8.0 - 1e-9);
-        }
-        for (long, short) in tiles.iter().zip(&tiles[1..]) {
+fn cascades_share_the_wave_numbers() {
+    let tiles = cascades(&sea(10.0, 0), 256);
+    println!("{tiles:#?}");
+    assert_eq!(tiles.len(), CASCADES);
+    assert!(tiles[0].k_min == 0.0 && tiles[0].patch_m >= 5000.0 && tiles[3].patch_m / 256.0 <= 0.01);
+    for n in [64, 128, 256, 512, 1024] {
+        let finer = cascades(&sea(35.0, 0), n);
+        for (long, short) in finer.iter().zip(&finer[1..]) {
             assert_eq!(long.k_max, short.k_min, "no gap, no overlap");
-            assert!(short.k_min >= 4.0 * short.dk(), "the first ring is not too coarse");
-            assert!(long.k_max <= 0.9 * std::f64::consts::PI * 256.0 / long.patch_m, "nor the last too fine");
-            let ratio = long.patch_m / short.patch_m;
-            assert!(ratio > 6.0 && ratio < 16.0);
+            assert!(
+                long.k_max <= 0.9 * std::f64::consts::PI * n as f64 / long.patch_m + 1e-12,
+                "nor the last too fine"
+            );
+            // 0.9 of the longer tile's highest wave number is N / 32 steps of the shorter at a ratio of 14.4.
+            let least = if n == 64 { 2.0 } else { 4.0 };
+            assert!(short.k_min >= least * short.dk(), "N = {n}: the first ring is not too coarse");
         }
-        for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-            let ratio = tiles[a].patch_m / tiles[b].patch_m;
-            for q in 1..=4 {
-                let off = (ratio * f64::from(q)).fract();
-                assert!(off > 0.05 && off < 0.95, "{ratio} is nearly {} / {q}", (ratio * f64::from(q)).round());
-            }
+        // Neither the wind nor the grid moves a tile; from 256 on only the last ring grows.
+        for (a, b) in finer.iter().zip(&tiles) {
+            assert_eq!(a.patch_m, b.patch_m);
+            assert!(n < 256 || (a.k_min == b.k_min && (a.k_max == b.k_max || b.k_max == tiles[3].k_max)));
         }
-        // Above 20 m/s the ratio's bound wins over the texel.
-        assert!(tiles[2].patch_m / 256.0 < if speed <= 20.0 { 0.041 } else { 0.1 }, "{speed} m/s");
-        // A finer grid has the same tiles, only longer rings.
-        let fine = cascades(&sea, 512);
-        assert_eq!(fine[0], Cascade { n: 512, ..tiles[0] });
-        assert!(fine[2].k_max > tiles[2].k_max && fine[2].patch_m == tiles[2].patch_m);
+        assert!(finer[3].k_max == 0.9 * std::f64::consts::PI * n as f64 / finer[3].patch_m);
+    }
+}
+
+#[test]
+fn no_two_tiles_repeat_together() {
+    for (a, b) in [(0, 1), (1, 2), (2, 3), (0, 2), (1, 3), (0, 3)] {
+        let ratio = PATCHES_M[a] / PATCHES_M[b];
+        for q in 1..=8 {
+            let off = (ratio * f64::from(q) - (ratio * f64::from(q)).round()).abs();
+            // What is left of the shorter tile when q of the longer have passed; 1/√5 is the most that any ratio keeps for all q.
+            assert!(off * f64::from(q) > 0.15, "{ratio} is nearly {} / {q}", (ratio * f64::from(q)).round());
+        }
     }
 }
 
 /// Energy in all tiles of a sea.
-fn energy(spectrum: &Phillips, tiles: &[Cascade]) -> f64 {
+fn energy(spectrum: &impl DirectionalSpectrum, tiles: &[Cascade]) -> f64 {
     tiles.iter().map(|tile| cell_energies(spectrum, tile).iter().sum::<f64>()).sum()
 }
 
 #[test]
-fn height_does_not_depend_on_the_grid() {
-    for speed in [2.0, 10.0, 25.0] {
-        let sea = sea(speed, 0);
-        let spectrum = sea.spectrum();
-        let m0 = sea.hs_m * sea.hs_m / 16.0;
-        for n in [64, 128, 256] {
-            let tiles = cascades(&sea, n);
-            let missing = spectrum.variance_between(tiles[2].k_max, f64::INFINITY);
-            let got = energy(&spectrum, &tiles) + missing;
-            // 8 x 8 samples per edge cell place each of some 600 edges to 1/8 of a cell; the innermost ring of 6 cells is the
-            // coarsest: 0.2 % of its energy.
-            assert!((got / m0 - 1.0).abs() < 2e-3, "{speed} m/s, N = {n}: {got} of {m0}");
+fn every_grid_holds_the_height_of_every_grade() {
+    for grade in 0..=12 {
+        let sea = sea(sea_state::speed_from_beaufort(f64::from(grade)), 0);
+        let (spectrum, m0) = (sea.spectrum(), sea.hs_m * sea.hs_m / 16.0);
+        let ratio = |n| energy(&spectrum, &cascades(&sea, n)) / m0;
+        if grade == 0 {
+            assert_eq!(energy(&spectrum, &cascades(&sea, 64)), 0.0);
+            continue;
         }
-        // Any other tiling of the plane holds the same: patches longer by half.
-        let other: Vec<_> =
-            cascades(&sea, 256).into_iter().map(|tile| Cascade { patch_m: tile.patch_m * 1.5, ..tile }).collect();
-        // Their rings now end beyond the grids.
-        let reach = |tile: &Cascade| std::f64::consts::PI * 255.0 / tile.patch_m;
-        let kept: f64 =
-            other.iter().map(|tile| spectrum.variance_between(tile.k_min, tile.k_max.min(reach(tile)))).sum();
-        let got = energy(&spectrum, &other);
-        // The grid's corners hold a little beyond its circle.
-        assert!(got > kept * 0.998 && got < m0 * 1.002, "{speed} m/s: {got}, at least {kept}");
+        let ratios = [64, 128, 256, 512, 1024].map(ratio);
+        println!("grade {grade:2}: {}", ratios.map(|r| format!("{r:.5}")).join("  "));
+        for (i, r) in ratios.into_iter().enumerate() {
+            assert!((r - 1.0).abs() < 0.01, "grade {grade}, N = {}: {r}", 64 << i);
+        }
+    }
+}
+
+#[test]
+fn neither_samples_nor_lengths_change_the_height() {
+    let sea = sea(10.0, 0);
+    let spectrum = sea.spectrum();
+    // Grids of different counts and lengths along x and y; each holds all waves up to 0.8 rad/m.
+    for (samples, patch_m) in [
+        ([256, 256], [900.0, 900.0]),
+        ([256, 512], [600.0, 1800.0]),
+        ([128, 1024], [437.0, 3111.0]),
+        ([512, 128], [1700.0, 450.0]),
+    ] {
+        let tile = Tile { samples, patch_m, k_min: 0.0, k_max: 0.8 };
+        let got: f64 = cell_energies(&spectrum, tile).iter().sum();
+        let want = spectrum.variance_between(0.0, 0.8);
+        // 8 x 8 samples place the edge to 1/8 of a cell on both sides of the truth; the origin's cell holds no energy yet.
+        assert!((got / want - 1.0).abs() < 1e-3, "{tile:?}: {got} of {want}");
     }
 }

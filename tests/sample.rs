@@ -4,12 +4,19 @@
 
 use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::world::World;
+use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::surface_sample::{allowed_by_depth, sample_link, sample_surface};
 use serde_json::Value;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 
 fn at(place: &str) -> Value {
-    sample(&SampleArgs { at: place.into(), data: DATA.into() }).unwrap()
+    sample(&arguments(place, "", None)).unwrap()
+}
+
+fn arguments(place: &str, state: &str, time: Option<&str>) -> SampleArgs {
+    SampleArgs { at: place.into(), state: state.into(), time: time.map(str::to_owned), data: DATA.into() }
 }
 
 #[test]
@@ -107,9 +114,66 @@ fn the_date_line_and_the_map_border_at_84_degrees_do_not_show() {
 #[test]
 fn places_that_are_none_are_refused() {
     for place in ["", "1", "1;2", "91,0", "nan,0", "1,inf", "1,2,3", "x,y"] {
-        let error = sample(&SampleArgs { at: place.into(), data: DATA.into() }).unwrap_err().to_string();
+        let error = sample(&arguments(place, "", None)).unwrap_err().to_string();
         assert!(error.contains("--at") && error.contains("35.68"), "{error}");
     }
-    let error = sample(&SampleArgs { at: "1,2".into(), data: "no/such/folder".into() }).unwrap_err().to_string();
+    let error =
+        sample(&SampleArgs { data: "no/such/folder".into(), ..arguments("1,2", "", None) }).unwrap_err().to_string();
     assert!(error.contains("no/such/folder/terrain.pmtiles"), "{error}");
+}
+
+#[test]
+fn the_surface_of_the_sea_is_told_where_there_is_sea() {
+    let noon = Some("2026-11-20T12:00:00Z");
+    let surface = |place, state, time| sample(&arguments(place, state, time)).unwrap()["surface"].clone();
+    assert!(surface("28,87", "#bft=8", noon).is_null(), "no sea on land");
+    let calm = surface("35.68,-14.25", "#bft=0", noon);
+    assert_eq!((&calm["height_m"], &calm["hs_m"]), (&0.0.into(), &0.0.into()));
+    assert_eq!(calm["normal_enu"], serde_json::json!([0.0, 0.0, 1.0]));
+    let gale = surface("35.68,-14.25", "#bft=8", noon);
+    assert!((gale["hs_m"].as_f64().unwrap() - 5.5).abs() < 0.055 && gale["tp_s"].as_f64().unwrap() > 8.0, "{gale}");
+    assert_eq!(gale["time"], "2026-11-20T12:00:00Z");
+    // The same sea by a link that says the time; another one a minute later.
+    assert_eq!(gale, surface("35.68,-14.25", "#bft=8&time=2026-11-20T12:00:00Z", None));
+    assert_ne!(gale["height_m"], surface("35.68,-14.25", "#bft=8", Some("2026-11-20T12:01:00Z"))["height_m"]);
+    // And the same as the page's function finds, which takes the water for deep.
+    let linked = sample_link("#bft=8", -14.25, 35.68, "2026-11-20T12:00:00Z", 0.0).unwrap();
+    assert_eq!(gale["height_m"], linked.height_m);
+    let up = gale["normal_enu"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap().powi(2)).sum::<f64>();
+    assert!((up - 1.0).abs() < 1e-12 && linked.height_m.abs() < 5.5);
+    for bad in ["tomorrow", "", "2026-13-01T00:00:00Z"] {
+        let error = sample(&arguments("1,2", "", Some(bad))).unwrap_err().to_string();
+        assert!(error.contains("time") && error.contains("2026-11-20T12:00:00Z"), "{error}");
+    }
+    assert!(sample(&arguments("1,2", "#wind=fast", noon)).unwrap_err().to_string().contains("wind"));
+}
+
+#[test]
+fn the_pages_function_refuses_what_is_no_place() {
+    let found = |fragment, lng, lat, time| sample_link(fragment, lng, lat, time, 1.8e9);
+    for (lng, lat) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (0.0, 90.1), (0.0, f64::NAN)] {
+        let error = found("#bft=5", lng, lat, "now").unwrap_err().to_string();
+        assert!(error.contains("tude"), "{error}");
+    }
+    assert!(found("#bft=5", 0.0, 0.0, "noon").unwrap_err().to_string().contains("2026-11-20T12:00:00Z"));
+    assert!(found("#seed=x", 0.0, 0.0, "now").unwrap_err().to_string().contains("seed"));
+    // Far east is somewhere; the clock's instant is an instant; the poles are places.
+    assert_eq!(
+        found("#bft=5", 540.0, 10.0, "now").unwrap().height_m,
+        found("#bft=5", 540.0, 10.0, "").unwrap().height_m
+    );
+    assert!(found("", 0.0, 90.0, "now").unwrap().height_m.is_finite());
+}
+
+#[test]
+fn shallow_water_holds_no_higher_waves() {
+    let settings = Settings { beaufort: Some(10), ..Settings::default() };
+    let at = |depth_m| sample_surface(&settings, 0.6, -0.3, 1.8e9, depth_m);
+    let hs = SeaTables::of(&settings).sea.hs_m;
+    assert_eq!(at(2.0 * hs), at(f64::INFINITY));
+    assert_eq!(at(0.0).height_m, 0.0);
+    assert_eq!(allowed_by_depth(0.5 * hs, hs), 0.25);
+    // A hundredth of the waves is moved a hundredth as far: heights at nearly the same rest points, linear in the share.
+    let (a, b) = (at(0.002 * hs), at(0.004 * hs));
+    assert!((b.height_m / a.height_m - 2.0).abs() < 0.1, "{a:?} {b:?}");
 }

@@ -6,8 +6,8 @@ use std::path::Path;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::pass::fft::Precision;
-use ocean_globe::pass::{fft, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
-use ocean_globe::scene::{frame, wave_domain};
+use ocean_globe::pass::{fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
+use ocean_globe::scene::{foam as scene_foam, frame, wave_domain};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
@@ -15,6 +15,7 @@ fn all() -> Vec<(&'static str, String)> {
         (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
     let mut all = vec![
         ("blit.wgsl", include_str!("../shaders/blit.wgsl").to_owned()),
+        ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source()),
         ("mips.wgsl", mips::source("rgba16float")),
         ("ocean.wgsl", ocean::source()),
@@ -120,7 +121,7 @@ fn structs_have_the_same_members_at_the_same_places() {
             chop,
             mix_near,
             mix_far,
-            foam,
+            foam_rule,
             perlin_patch,
             patches,
             node_count,
@@ -128,14 +129,14 @@ fn structs_have_the_same_members_at_the_same_places() {
             output,
             cascade_count,
             terrain_resolution,
-            perlin_deviation,
             crest_height,
-            foam_quantile,
-            slope_variance,
+            foam_heights,
+            below_slopes,
             under_water,
-            unused_a,
-            unused_b,
-            unused_c,
+            chop_level,
+            cascade_slopes,
+            perlin_slopes,
+            foam_levels,
         ]
     );
     assert_mirror!(
@@ -144,6 +145,13 @@ fn structs_have_the_same_members_at_the_same_places() {
         frame::WaveNode,
         [origin, unused_a, axis_x, unused_b, axis_y, unused_c, starts, perlin_start,]
     );
+    assert_mirror!(
+        ocean::source(),
+        "FoamLevel",
+        frame::FoamLevel,
+        [texel, fraction, side, threshold, softness, unused]
+    );
+    assert_mirror!(foam::source(), "FoamStep", foam::FoamStep, [previous, grow, keep, empty, unused]);
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",
@@ -164,6 +172,7 @@ fn constant(source: &str, name: &str) -> f64 {
     let (_, found) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name);
     match module.global_expressions[found.init] {
         naga::Expression::Literal(naga::Literal::U32(x)) => f64::from(x),
+        naga::Expression::Literal(naga::Literal::I32(x)) => f64::from(x),
         naga::Expression::Literal(naga::Literal::F32(x)) => f64::from(x),
         ref other => panic!("{name} is {other:?}"),
     }
@@ -179,7 +188,9 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
     assert_eq!(constant(&perlin::source(), "SIDE"), f64::from(perlin::SIDE));
-    assert_eq!(constant(&perlin::source(), "OCTAVES"), perlin::OCTAVES as f64);
+    assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);
+    assert_eq!(constant(&ocean, "FOAM_LEVELS"), scene_foam::LEVELS as f64);
+    assert_eq!(constant(&ocean, "FOAM_TEXELS"), f64::from(scene_foam::TEXELS));
     assert_eq!(constant(&ocean, "NEAR"), f64::from(frame::NEAR_M as f32));
     let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
     assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));

@@ -3,7 +3,7 @@
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::fragment::LONGEST;
 use ocean_globe::scene::layers::{Layer, Layers};
-use ocean_globe::scene::settings::{Foam, Mesh, Quality, Settings, Spectrum, Swell, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view_state::ViewState;
 use ocean_globe::scene::views::VIEWS;
@@ -60,7 +60,7 @@ fn other_than_default() -> ViewState {
             fetch_km: Some(300.0),
             swell: Some(Swell { height_m: 2.5, period_s: 14.0, from_deg: 310.0 }),
             chop: 0.8,
-            foam: Foam { amount: 0.5, lifetime_s: 10.0 },
+            foam: Foam { amount: 0.5, lifetime_s: 10.0, rule: FoamRule::Folding },
             seed: 7,
             mesh: Mesh::Bisect,
             quality: Quality::High,
@@ -124,9 +124,10 @@ fn numbers_are_clamped_and_angles_wrap() {
     assert_eq!(s("swell=30,1,400").swell, Some(Swell { height_m: 20.0, period_s: 3.0, from_deg: 40.0 }));
     assert_eq!(s("swell=-1,40,0").swell, Some(Swell { height_m: 0.0, period_s: 30.0, from_deg: 0.0 }));
     assert_eq!((s("chop=-1").chop, s("chop=3").chop), (0.0, 2.0));
-    assert_eq!(s("foam=9,0").foam, Foam { amount: 3.0, lifetime_s: 0.1 });
-    assert_eq!(s("foam=-1,99").foam, Foam { amount: 0.0, lifetime_s: 60.0 });
-    assert_eq!(s("foam=2").foam, Foam { amount: 2.0, lifetime_s: 3.5 });
+    assert_eq!(s("foam=9,0").foam, Foam { amount: 3.0, lifetime_s: 0.1, rule: FoamRule::Folding });
+    assert_eq!(s("foam=-1,99").foam, Foam { amount: 0.0, lifetime_s: 60.0, rule: FoamRule::Folding });
+    assert_eq!(s("foam=2").foam, Foam { amount: 2.0, ..Foam::default() });
+    assert_eq!(s("foam=1,3.5,height").foam, Foam { rule: FoamRule::Height, ..Foam::default() });
     assert_eq!((good("rate=5000").rate, good("rate=-5000").rate, good("rate=0").rate), (1000.0, -1000.0, 0.0));
     assert_eq!((s("seed=4294967296").seed, s("seed=-1").seed, s("seed=4294967295").seed), (u32::MAX, 0, u32::MAX));
     assert!(good("ride=1").ride && good("ride=7").ride && !good("ride=-2").ride);
@@ -198,6 +199,7 @@ fn a_bad_pair_is_reported_and_leaves_the_last_good_value() {
         "swell=1,2,inf",
         "chop=--1",
         "foam=1,2,3",
+        "foam=1,2,height,4",
         "time=tomorrow",
         "time=2026-13-01T00:00:00Z",
         "time=2026-11-20T25:00:00Z",

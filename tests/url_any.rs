@@ -3,7 +3,7 @@
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::fragment::LONGEST;
 use ocean_globe::scene::layers::{Layer, Layers};
-use ocean_globe::scene::settings::{Foam, Mesh, Quality, Settings, Spectrum, Swell, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view_state::ViewState;
 use proptest::prelude::*;
@@ -203,7 +203,8 @@ fn any_state() -> impl Strategy<Value = ViewState> {
     let wind = (0.0..=60.0, 0.0..360.0).prop_map(|(speed_mps, from_deg)| Wind { speed_mps, from_deg });
     let swell = (0.0..=20.0, 3.0..=30.0, 0.0..360.0);
     let swell = swell.prop_map(|(height_m, period_s, from_deg)| Swell { height_m, period_s, from_deg });
-    let foam = (0.0..=3.0, 0.1..=60.0).prop_map(|(amount, lifetime_s)| Foam { amount, lifetime_s });
+    let rule = prop_oneof![Just(FoamRule::Folding), Just(FoamRule::Height)];
+    let foam = (0.0..=3.0, 0.1..=60.0, rule).prop_map(|(amount, lifetime_s, rule)| Foam { amount, lifetime_s, rule });
     let layers = (0u32..16).prop_map(|bits| {
         let mut layers = Layers::default();
         Layer::ALL.iter().enumerate().for_each(|(i, &(layer, _))| layers.set(layer, bits >> i & 1 == 1));
@@ -262,6 +263,7 @@ proptest! {
         prop_assert!((s.wind.speed_mps - t.wind.speed_mps).abs() <= 0.0005 + 1e-9);
         prop_assert!(apart_deg(s.wind.from_deg, t.wind.from_deg) <= 0.005 + 1e-9);
         prop_assert!((s.chop - t.chop).abs() <= 0.0005 + 1e-9 && (s.foam.amount - t.foam.amount).abs() <= 0.0005 + 1e-9);
+        prop_assert_eq!(s.foam.rule, t.foam.rule);
         prop_assert!((s.foam.lifetime_s - t.foam.lifetime_s).abs() <= 0.0005 + 1e-9);
         prop_assert_eq!(s.fetch_km.is_some(), t.fetch_km.is_some());
         prop_assert!((s.fetch_km.unwrap_or(0.0) - t.fetch_km.unwrap_or(0.0)).abs() <= 0.0005 + 1e-9);

@@ -19,9 +19,9 @@ fn mean_fresnel(cos_view: f32, sigma2: f32) -> f32 {
     return mix(smooth_part, rough, smoothstep(0.0, 0.02, sigma2));
 }
 
-// Radiance of the sun's glitter per unit solar irradiance, for Gaussian slopes of variance sigma2 about `normal`
-// (C. Cox and W. Munk 1954; eq. 13 of the paper above).
-fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, sigma2: f32) -> f32 {
+// Radiance of the sun's glitter per unit solar irradiance, for Gaussian slopes about `normal` of variance rough.x along the
+// unit vector `along` and rough.y across it (C. Cox and W. Munk 1954; eq. 13 of the paper above).
+fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> f32 {
     let sum = view + sun;
     let half_vector = sum / max(length(sum), 1e-6);
     let hz = max(dot(half_vector, up), 1e-3);
@@ -29,8 +29,11 @@ fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, sigma2: f32) -> f3
     let nz = max(dot(normal, up), 1e-3);
     let slope_n = (normal - nz * up) / nz;
     let d = slope_h - slope_n;
-    let variance = max(sigma2, 2e-5);              // the sun's own disc: (0.27 deg / 2)^2
-    let density = exp(-dot(d, d) / variance) / (3.141592653589793 * variance);
+    let variance = max(rough, vec2f(1e-5));        // the sun's own disc: (0.27 deg / 2)^2 on each axis
+    let d_along = dot(d, along);
+    let d_across = max(dot(d, d) - d_along * d_along, 0.0);
+    let density = exp(-0.5 * (d_along * d_along / variance.x + d_across / variance.y))
+        / (6.283185307179586 * sqrt(variance.x * variance.y));
     let cos_view = max(dot(view, up), 0.02);
     let shadow = smoothstep(-0.02, 0.05, dot(sun, up));
     return shadow * fresnel_water(dot(half_vector, view)) * density / (4.0 * hz * hz * hz * hz * cos_view);

@@ -5,6 +5,19 @@
 
 alias Metres = f32;
 
+const FOAM_LEVELS = 4u;
+const FOAM_TEXELS: i32 = 256;     // along a side of a square of the foam map
+
+// A square of the foam map; its texels are fixed in the frame of the first wave cell.
+struct FoamLevel {
+    texel: vec2i,              // that the eye is in
+    fraction: vec2f,           // of a texel from its corner to the eye
+    side: Metres,              // of a texel
+    threshold: f32,            // smaller eigenvalue of the chop's gradient below which whitecaps begin
+    softness: f32,             // how far below it a texel breaks as a whole
+    unused: u32,
+}
+
 struct Frame {
     clip_from_local: mat4x4f,
     // A ray through normalised device coordinates (x, y): ray_forward + x * ray_right + y * ray_up (not unit).
@@ -48,7 +61,7 @@ struct Frame {
     chop: f32,
     mix_near: Metres,          // the FFT's own distance, and the Perlin field's
     mix_far: Metres,
-    foam: f32,
+    foam_rule: u32,            // 0 where the chop folds, 1 on high water
     perlin_patch: Metres,
     patches: vec4f,            // patch lengths of the cascades, metres
     node_count: u32,
@@ -56,15 +69,15 @@ struct Frame {
     output: u32,               // 0 the picture, else a measured layer
     cascade_count: u32,
     terrain_resolution: Metres,
-    perlin_deviation: Metres,  // standard deviation of the Perlin height
     crest_height: Metres,      // the highest crest to expect
-    foam_quantile: f32,        // standard deviations that this share of a normal variable exceeds
-    // Mean-square slope above the wavenumber 2^(i/2 - 8) rad/m, i = 0…31.
-    slope_variance: array<vec4f, 8>,
+    foam_heights: vec2f,       // water above the first carries foam, above the second nothing else (rule 1), metres
+    // Slope variances along the wind and across it: of the waves that no cascade holds, of each cascade's (two in a row).
+    below_slopes: vec2f,
     under_water: u32,          // 1 when the eye is in the sea
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    chop_level: Metres,        // mean level of the choppy FFT tiles, at most 0; what is drawn has it subtracted
+    cascade_slopes: array<vec4f, 2>,
+    perlin_slopes: vec4f,      // what the Perlin tile does not hold, then its own
+    foam_levels: array<FoamLevel, FOAM_LEVELS>,
 }
 
 // One cell of the wave domain: where its tiles lie, how they are turned, where they start.

@@ -6,7 +6,7 @@
 const DEEP_REFLECTANCE = vec3f(0.0035, 0.018, 0.040);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
-const FOAM_ALBEDO = 0.45;       // of fresh whitecaps (P. Koepke 1984)
+const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
@@ -16,7 +16,8 @@ struct WaterPoint {
     to_eye: vec3f,
     up: vec3f,
     normal: vec3f,
-    slope_variance: f32,   // unresolved, total of both directions
+    along: vec3f,          // unit vector along the wind
+    rough: vec2f,          // unresolved slope variance along the wind and across it
     alpha: f32,
     depth: Metres,
     bed: vec3f,            // radiance of what lies under the water
@@ -32,14 +33,15 @@ fn water_radiance(w: WaterPoint) -> vec3f {
     let facing = dot(normal, w.to_eye);
     if facing < 0.02 { normal = normalize(normal + (0.02 - facing) * w.to_eye); }
     let cos_view = clamp(dot(normal, w.to_eye), 0.0, 1.0);
-    let reflectance = mean_fresnel(cos_view, w.slope_variance);
+    let slope_variance = w.rough.x + w.rough.y;
+    let reflectance = mean_fresnel(cos_view, slope_variance);
     var mirrored = reflect(-w.to_eye, normal);
     // Roughness tilts grazing reflections towards the zenith (mean of the facets that the eye sees).
-    let lift = 0.7 * sqrt(w.slope_variance) * (1.0 - cos_view);
+    let lift = 0.7 * sqrt(slope_variance) * (1.0 - cos_view);
     let above = dot(mirrored, w.up);
     mirrored = normalize(mirrored + (lift + max(-above, 0.0) * 1.1) * w.up);
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
-    let sparkle = sun * glitter(w.to_eye, frame.sun, normal, w.up, w.slope_variance);
+    let sparkle = sun * glitter(w.to_eye, frame.sun, normal, w.up, w.along, w.rough);
     let down = sun * max(mu_sun, 0.0) * (1.0 - fresnel_water(max(mu_sun, 0.0))) + ambient * 0.93;
     let body = DEEP_REFLECTANCE / PI * down;
     let bed = w.bed * exp(-BED_ABSORPTION * w.depth);

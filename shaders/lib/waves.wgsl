@@ -1,10 +1,12 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
 #import ellipsoid
 
-// displacements: (Dx, Dy, height, dDx/dy); gradients: (dh/dx, dh/dy, dDx/dx, dDy/dy); one layer per cascade.
+// displacements: (Dx, Dy, height, dDx/dy); gradients: (dh/dx, dh/dy, dDx/dx, dDy/dy); moments: (hx hx, hy hy, hx hy, dDx/dy);
+// one layer per cascade.
 @group(1) @binding(0) var displacements: texture_2d_array<f32>;
 @group(1) @binding(1) var gradients: texture_2d_array<f32>;
-@group(1) @binding(2) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, -) of unit standard deviation
+@group(1) @binding(2) var moments: texture_2d_array<f32>;
+@group(1) @binding(3) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, hx hx + hy hy)
 
 const BLEND_WIDTH: Metres = 9000.0;
 
@@ -86,36 +88,47 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         if weights.y > 0.0 {
             let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            own.z += weights.y * resolvable(footprint, frame.perlin_patch) * frame.perlin_deviation
-                * textureSampleLevel(perlin, repeated, uv, lod).x;
+            own.z += weights.y * resolvable(footprint, frame.perlin_patch) * textureSampleLevel(perlin, repeated, uv, lod).x;
         }
-        sum += w * (own.x * nodes[i].axis_x + own.y * nodes[i].axis_y + vec3f(0.0, 0.0, own.z));
+        // The cell's axes lie in the plane of its centre; here the water moves level.
+        sum += w * vec3f(own.x * nodes[i].axis_x.xy + own.y * nodes[i].axis_y.xy, own.z);
     }
+    // Energies, and so the mean level, go with the squares of the weights.
+    sum.z -= weights.x * weights.x * frame.chop_level;
     return sum;
 }
 
-// Slopes of the surface and the folding of its chop, in the local frame (x east, y north).
+// A symmetric tensor (xx, yy, xy) of a tile, turned to east and north; ax and ay are the tile's axes.
+fn turned(t: vec3f, ax: vec2f, ay: vec2f) -> vec3f {
+    return vec3f(
+        t.x * ax.x * ax.x + t.y * ay.x * ay.x + 2.0 * t.z * ax.x * ay.x,
+        t.x * ax.y * ax.y + t.y * ay.y * ay.y + 2.0 * t.z * ax.y * ay.y,
+        t.x * ax.x * ax.y + t.y * ay.x * ay.y + t.z * (ax.x * ay.y + ax.y * ay.x));
+}
+
+// Slopes of the surface in the local frame (x east, y north).
 struct Slopes {
     slope: vec2f,          // true slope of the displaced surface
-    unresolved: f32,       // mean-square slope of what the footprint hides
-    fold: f32,             // Jacobian determinant of the horizontal displacement: below 0 the crest folds
+    rough: vec2f,          // slope variance that the footprint hides, along the wind and across it
+    fold: f32,             // Jacobian determinant of the chop: below 0 the crest folds
 }
 
-fn mean_square_slope_above(k: f32) -> f32 {
-    let x = clamp(2.0 * (log2(max(k, 1e-9)) + 8.0), 0.0, 30.999);
-    let i = u32(x);
-    let a = frame.slope_variance[i >> 2u][i & 3u];
-    let b = frame.slope_variance[(i + 1u) >> 2u][(i + 1u) & 3u];
-    return mix(a, b, x - f32(i));
+fn cascade_slopes(c: u32) -> vec2f {
+    let pair = frame.cascade_slopes[c >> 1u];
+    return select(pair.xy, pair.zw, (c & 1u) == 1u);
 }
 
+// What a footprint hides is the mean of the squared slopes less the square of their mean, from the same mip levels, so that
+// nothing is lost in between: what the texture filter takes from the slopes becomes roughness too.
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
-    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), mean_square_slope_above(0.0), 1.0); }
     let weights = mix_weights(distance);
+    let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
+    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
     let found = node_weights(p);
     let texels = f32(textureDimensions(gradients).x);
     var slope = vec2f(0.0);
-    var stretch = vec3f(0.0);     // dDx/dx, dDy/dy, dDx/dy in east-north axes
+    var stretch = vec3f(0.0);     // gradient of the chop in east-north axes
+    var rough = vec2f(0.0);
     for (var i = 0u; i < frame.node_count; i++) {
         let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
         if w <= 0.0 { continue; }
@@ -126,27 +139,38 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         if weights.x > 0.0 {
             var g = vec4f(0.0);
             var mixed = 0.0;
+            var hidden = frame.below_slopes;
             for (var c = 0u; c < frame.cascade_count; c++) {
                 let length = frame.patches[c];
                 let fade = resolvable(footprint, length);
-                if fade <= 0.0 { continue; }
+                if fade <= 0.0 {
+                    hidden += cascade_slopes(c);
+                    continue;
+                }
                 let uv = tile_uv(local, i, c, texels);
                 let lod = mip_for(footprint, length, texels);
-                g += fade * textureSampleLevel(gradients, repeated, uv, c, lod);
-                mixed += fade * textureSampleLevel(displacements, repeated, uv, c, lod).w;
+                let here = fade * textureSampleLevel(gradients, repeated, uv, c, lod);
+                let squares = textureSampleLevel(moments, repeated, uv, c, lod);
+                g += here;
+                mixed += fade * squares.w;
+                hidden += max(squares.xy - here.xy * here.xy, vec2f(0.0));
             }
             own += weights.x * g.xy;
-            let turned = (w * weights.x * frame.chop) * vec3f(g.zw, mixed);
-            stretch += vec3f(
-                turned.x * ax.x * ax.x + turned.y * ay.x * ay.x + 2.0 * turned.z * ax.x * ay.x,
-                turned.x * ax.y * ax.y + turned.y * ay.y * ay.y + 2.0 * turned.z * ax.y * ay.y,
-                turned.x * ax.x * ax.y + turned.y * ay.x * ay.y + turned.z * (ax.x * ay.y + ax.y * ay.x));
+            stretch += turned(w * weights.x * frame.chop * vec3f(g.zw, mixed), ax, ay);
+            rough += w * w * weights.x * weights.x * hidden;
         }
         if weights.y > 0.0 {
             let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            own += weights.y * resolvable(footprint, frame.perlin_patch) * frame.perlin_deviation
-                * textureSampleLevel(perlin, repeated, uv, lod).yz;
+            let fade = resolvable(footprint, frame.perlin_patch);
+            let noise = textureSampleLevel(perlin, repeated, uv, lod);
+            let here = fade * noise.yz;
+            own += weights.y * here;
+            // The tile holds the sum of both axes' squares; its own slopes say how they share it.
+            let own_slopes = frame.perlin_slopes.zw;
+            let total = mix(own_slopes.x + own_slopes.y, noise.w, fade);
+            let hidden = max(total - dot(here, here), 0.0) * own_slopes / max(own_slopes.x + own_slopes.y, 1e-9);
+            rough += w * w * weights.y * weights.y * (frame.perlin_slopes.xy + hidden);
         }
         slope += w * (own.x * ax + own.y * ay);
     }
@@ -155,10 +179,5 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let jyy = 1.0 + stretch.y;
     let fold = jxx * jyy - stretch.z * stretch.z;
     let true_slope = vec2f(jyy * slope.x - stretch.z * slope.y, jxx * slope.y - stretch.z * slope.x) / max(fold, 0.25);
-    // What the pixel cannot hold becomes roughness; the Perlin tile itself ends at its own Nyquist wavenumber.
-    let k = 3.14159265 / max(footprint, 1e-4);
-    let k_perlin = min(k, 3.14159265 * f32(textureDimensions(perlin).x) / (2.0 * frame.perlin_patch));
-    let unresolved = weights.x * weights.x * mean_square_slope_above(k)
-        + weights.y * weights.y * mean_square_slope_above(k_perlin);
-    return Slopes(true_slope, unresolved, fold);
+    return Slopes(true_slope, rough, fold);
 }

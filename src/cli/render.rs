@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::settings::{Foam, Mesh, Spectrum};
+use crate::scene::settings::Mesh;
 use crate::scene::view_state::ViewState;
 
 /// Draw a view into a PNG, or measure it into a NumPy array.
@@ -116,11 +116,8 @@ pub fn parse_state(text: &str) -> Result<ViewState> {
 fn not_drawn(state: &ViewState) -> Vec<&'static str> {
     let settings = &state.settings;
     let keys = [
-        ("spectrum", settings.spectrum != Spectrum::default()),
-        ("fetch", settings.fetch_km.is_some()),
-        ("swell", settings.swell.is_some()),
+        ("spectrum", !settings.spectrum.is_drawn()),
         ("mesh", settings.mesh != Mesh::default()),
-        ("foam's lifetime", settings.foam.lifetime_s != Foam::default().lifetime_s),
     ];
     keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
@@ -174,6 +171,7 @@ pub fn draw(
     let shape = crate::gpu::texture::Shape::picture(size[0], size[1]);
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
+    renderer.settle(&frame);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     renderer.render(&mut encoder, &frame, &crate::gpu::texture::view(&target));
     gpu.queue.submit([encoder.finish()]);

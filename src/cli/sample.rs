@@ -1,17 +1,30 @@
 //! `ocean-globe sample`: what is at a place, as JSON.
 
+use crate::app::clock::unix_now_s;
+use crate::cli::render::parse_state;
 use crate::data::world::World;
 use crate::error::{Error, Result};
+use crate::model::spectrum::DirectionalSpectrum;
+use crate::scene::sea::SeaTables;
+use crate::scene::surface_sample::{instant, sample_surface};
+use crate::scene::time::SceneTime;
 
-/// Print elevation, depth, water class and shore distance at a place, as JSON.
+/// Print elevation, depth, water class, shore distance and the surface of the sea at a place, as JSON.
 #[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Examples:
   ocean-globe sample --at 35.6812,-14.25
-  ocean-globe sample --at=-90,0 --data www/data")]
+  ocean-globe sample --at=-90,0 --data www/data
+  ocean-globe sample --at 35.68,-14.25 --state '#bft=8' --time 2026-11-20T12:00:00Z")]
 pub struct SampleArgs {
     /// Latitude and longitude in degrees, `lat,lng`
     #[arg(long, value_name = "LAT,LNG", allow_hyphen_values = true)]
     pub at: String,
+    /// The sea: a link's fragment, as the page's address shows it
+    #[arg(long, default_value = "", value_name = "FRAGMENT")]
+    pub state: String,
+    /// The instant of the sea's surface, ISO 8601; without it the link's, or now
+    #[arg(long, value_name = "TIME")]
+    pub time: Option<String>,
     /// Folder of the baked world
     #[arg(long, value_name = "FOLDER", default_value = "www/data")]
     pub data: String,
@@ -20,7 +33,7 @@ pub struct SampleArgs {
 /// The JSON object that `sample` prints.
 ///
 /// # Errors
-/// A place that is no place, data that cannot be read.
+/// A place, a state or an instant that is none, data that cannot be read.
 pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let bad = || Error::bad_value("--at", &args.at, "write latitude,longitude in degrees, e.g. 35.68,-14.25");
     let (lat, lon) = args.at.split_once(',').ok_or_else(bad)?;
@@ -29,9 +42,23 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     if lat_deg.abs() > 90.0 {
         return Err(bad());
     }
-    let sample = World::open(&args.data).sample_blocking(lat_deg.to_radians(), lon_deg.to_radians())?;
-    let mut object =
-        serde_json::to_value(sample).map_err(|e| Error::bad_data("the sample", e.to_string(), "report this"))?;
+    let state = parse_state(&args.state)?;
+    let unix_seconds = instant(&state, args.time.as_deref(), unix_now_s())?;
+    let (lat, lon) = (lat_deg.to_radians(), lon_deg.to_radians());
+    let sample = World::open(&args.data).sample_blocking(lat, lon)?;
+    let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
+    let mut object = serde_json::to_value(sample).map_err(json)?;
+    if let Some(depth_m) = sample.depth_m {
+        let tables = SeaTables::of(&state.settings);
+        let found = sample_surface(&state.settings, lat, lon, unix_seconds, depth_m);
+        let mut surface = serde_json::to_value(found).map_err(json)?;
+        surface["time"] = SceneTime::At(unix_seconds).to_string().into();
+        surface["hs_m"] = tables.sea.hs_m.into();
+        surface["tp_s"] = tables.sea.spectrum().peak_period().into();
+        object["surface"] = surface;
+    } else {
+        object["surface"] = serde_json::Value::Null;
+    }
     object["lat_deg"] = lat_deg.into();
     object["lng_deg"] = ((lon_deg + 180.0).rem_euclid(360.0) - 180.0).into();
     Ok(object)

@@ -12,6 +12,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
     ("exchange_2", include_str!("../../shaders/lib/exchange_2.wgsl")),
     ("exchange_4", include_str!("../../shaders/lib/exchange_4.wgsl")),
+    ("foam", include_str!("../../shaders/lib/foam.wgsl")),
     ("frame", include_str!("../../shaders/lib/frame.wgsl")),
     ("hash", include_str!("../../shaders/lib/hash.wgsl")),
     ("light", include_str!("../../shaders/lib/light.wgsl")),

@@ -53,22 +53,25 @@ pub fn inverse(data: &mut [Complex]) {
     inverse_with(data, &twiddles);
 }
 
-/// Two-dimensional inverse transform in place of an n × n grid, element (i, j) at j·n + i.
+/// Two-dimensional inverse transform in place of rows of `n`, element (i, j) at j·n + i; there may be more or fewer rows.
 ///
 /// # Panics
-/// If n is not a power of two of at least 2 or the grid does not hold n².
+/// If n or the number of rows is not a power of two of at least 2.
 pub fn inverse_2d(data: &mut [Complex], n: usize) {
-    assert!(n >= 2 && n.is_power_of_two() && data.len() == n * n, "grid of {} is not {n} x {n}", data.len());
-    let twiddles = twiddles(n);
+    let m = data.len() / n.max(1);
+    let usable = |side: usize| side >= 2 && side.is_power_of_two();
+    assert!(usable(n) && usable(m) && data.len() == n * m, "grid of {} is not {n} x {m}", data.len());
+    let along = twiddles(n);
     for row in data.chunks_exact_mut(n) {
-        inverse_with(row, &twiddles);
+        inverse_with(row, &along);
     }
-    let mut column = vec![[0.0; 2]; n];
+    let along = twiddles(m);
+    let mut column = vec![[0.0; 2]; m];
     for i in 0..n {
         for (j, value) in column.iter_mut().enumerate() {
             *value = data[j * n + i];
         }
-        inverse_with(&mut column, &twiddles);
+        inverse_with(&mut column, &along);
         for (j, value) in column.iter().enumerate() {
             data[j * n + i] = *value;
         }

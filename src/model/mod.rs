@@ -4,16 +4,23 @@
 //! Everything that feeds the waves takes its transcendental functions from `libm`, never from the platform, so that a seed
 //! and a time give the same sea bit for bit natively and in WebAssembly.
 
+pub mod beach;
+pub mod cascade;
 pub mod dispersion;
 pub mod earth;
 pub mod fft;
+pub mod foam;
 pub mod geodesic;
 pub mod noise;
 pub mod optics;
+pub mod perlin;
 pub mod quadrature;
+pub mod sea;
 pub mod sea_bed;
+pub mod sea_spectrum;
 pub mod sea_state;
 pub mod spectrum;
+pub mod spreading;
 pub mod sun;
 pub mod surface;
 pub mod waves;

@@ -101,11 +101,16 @@ pub fn whitecap_fraction(speed_mps: f64) -> f64 {
     (3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)).min(0.25)
 }
 
-/// The value, in standard deviations, that a normal variable exceeds with probability `share` (in (0, ½]), within 4.5e-4
-/// (Abramowitz and Stegun, 26.2.23).
-pub fn normal_quantile_above(share: f64) -> f64 {
-    let t = libm::sqrt(-2.0 * libm::log(share.clamp(1e-12, 0.5)));
-    let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);
-    let below = 1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308));
-    t - above / below
+/// The same data fitted by ordinary least squares in place of the robust fit: 2.95e-6 U^3.52, without a cap.
+pub fn whitecap_fraction_least_squares(speed_mps: f64) -> f64 {
+    2.95e-6 * libm::pow(speed_mps.max(0.0), 3.52)
+}
+
+/// A later measurement with fewer whitecaps in strong winds ([Callaghan and others](crate::bibliography::Callaghan2008)):
+/// 3.18e-5 (U − 3.7)³ up to 10.2 m/s, where it meets 4.82e-6 (U + 1.98)³; held from its last datum, 23.09 m/s, on.
+pub fn whitecap_fraction_callaghan(speed_mps: f64) -> f64 {
+    let u = speed_mps.clamp(3.7, 23.09);
+    let (weak, strong) = (u - 3.7, u + 1.98);
+    // The two cubics cross where (u + 1.98)/(u − 3.7) is the cube root of 3.18/0.482.
+    if u < 10.187 { 3.18e-5 * weak * weak * weak } else { 4.82e-6 * strong * strong * strong }
 }

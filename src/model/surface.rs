@@ -4,10 +4,10 @@
 
 use super::{
     fft::{self, Complex, mul},
-    waves::{Cascade, angular_frequencies, cycles_per_tick, phase_u32},
+    waves::{Tile, angular_frequencies, cycles_per_tick, phase_u32},
 };
 
-/// The fields of one tile at a moment, n × n each, element (i, j) at j·n + i standing at (i, j)·patch/n.
+/// The fields of one tile at a moment, element (i, j) at j·n + i standing at (i/n, j/m) of the tile's lengths.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {
     /// Height η, m.
@@ -30,18 +30,21 @@ pub struct Fields {
     pub eta_t: Vec<f64>,
 }
 
-/// The fields at a tick of the wave clock: the phases are the GPU's own, to 2⁻³² of a cycle.
-pub fn fields(h0: &[Complex], cascade: &Cascade, ticks: u64) -> Fields {
-    let omega = angular_frequencies(cascade);
-    let phase = |index: usize| {
-        f64::from(phase_u32(cycles_per_tick(omega[index]), ticks)) / 4_294_967_296.0 * std::f64::consts::TAU
-    };
-    fields_at_phases(h0, cascade, &omega, phase)
+/// The fields of deep water at a tick of the wave clock: the phases are the GPU's own, to 2⁻³² of a cycle.
+pub fn fields(h0: &[Complex], tile: impl Into<Tile>, ticks: u64) -> Fields {
+    let tile = tile.into();
+    let omega = angular_frequencies(tile, f64::INFINITY);
+    fields_with(h0, tile, &omega, |index| phase_at(cycles_per_tick(omega[index]), ticks))
 }
 
-/// The fields at a time in seconds for given frequencies: for oracles with a dispersion of their own.
-pub fn fields_at(h0: &[Complex], cascade: &Cascade, omega: &[f64], t: f64) -> Fields {
-    fields_at_phases(h0, cascade, omega, |index| omega[index] * t)
+/// The fields at a time in seconds for given frequencies, rad/s: for other depths, and for oracles with a dispersion of their own.
+pub fn fields_at(h0: &[Complex], tile: impl Into<Tile>, omega: &[f64], t: f64) -> Fields {
+    fields_with(h0, tile.into(), omega, |index| omega[index] * t)
+}
+
+/// ωt in radians at a tick.
+pub fn phase_at(cycles_per_tick: u64, ticks: u64) -> f64 {
+    f64::from(phase_u32(cycles_per_tick, ticks)) / 4_294_967_296.0 * std::f64::consts::TAU
 }
 
 /// H(k) and ∂H/∂t at a phase ωt, from h0(k) and h0(−k).
@@ -55,32 +58,44 @@ pub fn evolve(h0: Complex, h0_minus: Complex, omega: f64, phase: f64) -> (Comple
     (h, h_t)
 }
 
+/// The eight drawn fields of a tile, two to a grid as real and imaginary part, element by element: (Dx, Dy), (η, ∂Dx/∂y),
+/// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). The chop is that of deep water at any depth.
+///
 /// # Panics
-/// If `h0` does not hold n² elements: both come from the same cascade.
-fn fields_at_phases(h0: &[Complex], cascade: &Cascade, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
-    let n = cascade.n;
-    assert_eq!(h0.len(), n * n, "amplitudes are not those of the cascade");
-    let mut spectra: [Vec<Complex>; 5] = std::array::from_fn(|_| Vec::with_capacity(n * n));
-    for (index, (kx, ky)) in cascade.wave_vectors().enumerate() {
-        let minus = (n - index / n) % n * n + (n - index % n) % n;
-        let (h, h_t) = evolve(h0[index], h0[minus], omega[index], phase(index));
+/// If `h0` does not hold as many elements as the tile: both come from the same cascade.
+pub fn packed_fields(h0: &[Complex], tile: impl Into<Tile>, phase: impl Fn(usize) -> f64) -> [Vec<Complex>; 4] {
+    let tile = tile.into();
+    assert_eq!(h0.len(), tile.count(), "amplitudes are not those of the tile");
+    let mut spectra: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![[0.0; 2]; tile.count()]);
+    for index in 0..tile.count() {
+        let minus = h0[tile.mirror(index)];
+        if h0[index] == [0.0; 2] && minus == [0.0; 2] {
+            continue;
+        }
+        let (h, _) = evolve(h0[index], minus, 0.0, phase(index));
+        let (kx, ky) = tile.wave_vector(index);
         let k = libm::sqrt(kx * kx + ky * ky);
         let (ux, uy) = if k > 0.0 { (kx / k, ky / k) } else { (0.0, 0.0) };
         let times_i = |s: f64| [-s * h[1], s * h[0]];
         let times = |s: f64| [s * h[0], s * h[1]];
         // a + ib of two Hermitian spectra: the transform brings both real fields at once.
         let pack = |a: Complex, b: Complex| [a[0] - b[1], a[1] + b[0]];
-        spectra[0].push(pack(times_i(ux), times_i(uy)));
-        spectra[1].push(pack(h, times(-kx * uy)));
-        spectra[2].push(pack(times_i(kx), times_i(ky)));
-        spectra[3].push(pack(times(-kx * ux), times(-ky * uy)));
-        spectra[4].push(h_t);
+        spectra[0][index] = pack(times_i(ux), times_i(uy));
+        spectra[1][index] = pack(h, times(-kx * uy));
+        spectra[2][index] = pack(times_i(kx), times_i(ky));
+        spectra[3][index] = pack(times(-kx * ux), times(-ky * uy));
     }
-    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y), (eta_t, _)] = spectra.map(|mut grid| {
-        fft::inverse_2d(&mut grid, n);
-        grid.into_iter().map(|[re, im]| (re, im)).unzip::<f64, f64, Vec<_>, Vec<_>>()
-    });
-    Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t }
+    spectra.iter_mut().for_each(|grid| fft::inverse_2d(grid, tile.samples[0]));
+    spectra
+}
+
+fn fields_with(h0: &[Complex], tile: Tile, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
+    let parts = |grid: Vec<Complex>| grid.into_iter().map(|[re, im]| (re, im)).unzip::<f64, f64, Vec<_>, Vec<_>>();
+    let mut rates: Vec<Complex> =
+        (0..tile.count()).map(|i| evolve(h0[i], h0[tile.mirror(i)], omega[i], phase(i)).1).collect();
+    fft::inverse_2d(&mut rates, tile.samples[0]);
+    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, tile, phase).map(parts);
+    Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t: parts(rates).0 }
 }
 
 /// ∂(X, Y)/∂(x, y) of the choppy map, as its three numbers (it is symmetric): 1 + λDx_x, 1 + λDy_y, λDx_y.

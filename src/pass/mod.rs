@@ -1,6 +1,7 @@
 //! Floor 4: one file per pass; a pass owns its pipelines, textures and bind groups, and knows no other pass.
 
 pub mod fft;
+pub mod foam;
 pub mod frame_group;
 pub mod land;
 pub mod ocean;

@@ -7,18 +7,11 @@ use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::model::dispersion;
-use crate::scene::frame::{Frame, perlin_patch_m};
+use crate::model::perlin::{self, OCTAVES, Octaves, TEXELS};
+use crate::scene::frame::Frame;
 
-/// Octaves of the noise; equals `OCTAVES` in `shaders/perlin.wgsl`.
-pub const OCTAVES: usize = 4;
-/// Texels along a side.
-const TEXELS: u32 = 256;
 /// Texels along a side of a workgroup; equals `SIDE` in `shaders/perlin.wgsl`.
 pub const SIDE: u32 = 16;
-/// Lattice cells along the wind in the first octave: gradient noise has its strongest wave at about 1.6 cells.
-const PEAK_CELLS: u32 = 8;
-/// Height of an octave over that of the one before: between a k⁻⁴ sea's 2^-1 and Toba's 2^-1.25… rounded to the rougher.
-const GAIN: f64 = 0.45;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 /// Mirrors `PerlinSettings` in `shaders/perlin.wgsl`.
@@ -36,44 +29,24 @@ pub struct PerlinSettings {
 impl PerlinSettings {
     /// The noise of a sea at an instant; every phase is reduced in f64.
     pub fn of(frame: &Frame) -> Self {
-        let patch = perlin_patch_m(&frame.sea);
-        let unit = unit_variance();
-        let total: f64 = (0..OCTAVES).map(|o| GAIN.powi(2 * o as i32) * unit).sum();
+        let Octaves { patch_m, amplitudes_m, .. } = frame.sea.perlin;
         let octave = |o: usize| {
-            let cells = f64::from(PEAK_CELLS << o);
-            let wavelength = 1.6 * patch / cells;
-            let k = std::f64::consts::TAU / wavelength;
+            let wavelength_m = perlin::wavelength_m(patch_m, o);
+            let k = std::f64::consts::TAU / wavelength_m;
             let speed = dispersion::omega_deep(k) / k;
-            let drift = (frame.unix_seconds * speed / patch).rem_euclid(1.0);
+            let drift = (frame.unix_seconds * speed / patch_m).rem_euclid(1.0);
             // The lattice turns over in some ten periods: groups live about so long.
-            let turn = (frame.unix_seconds * speed / wavelength / 10.0).rem_euclid(1.0) * std::f64::consts::TAU;
-            [drift as f32, turn as f32, (GAIN.powi(o as i32) / total.sqrt()) as f32, 0.0]
+            let turn = (frame.unix_seconds * speed / wavelength_m / 10.0).rem_euclid(1.0) * std::f64::consts::TAU;
+            [drift as f32, turn as f32, amplitudes_m[o] as f32, 0.0]
         };
         Self {
             octaves: std::array::from_fn(octave),
-            patch_length: patch as f32,
+            patch_length: patch_m as f32,
             seed: frame.sea.sea.seed,
-            peak_cells: PEAK_CELLS,
+            peak_cells: perlin::PEAK_CELLS as u32,
             unused: 0,
         }
     }
-}
-
-/// Variance of gradient noise with unit gradients of random direction and the quintic fade, by the midpoint rule over a cell:
-/// the four corners are independent, each contributes weight² · |offset|² / 2.
-fn unit_variance() -> f64 {
-    const STEPS: usize = 32;
-    let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    let mut sum = 0.0;
-    for (i, j) in (0..STEPS * STEPS).map(|s| (s % STEPS, s / STEPS)) {
-        let at = |k: usize| (k as f64 + 0.5) / STEPS as f64;
-        for (cx, cy) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
-            let weight = |c: f64, t: f64| if c == 0.0 { 1.0 - fade(t) } else { fade(t) };
-            let w = weight(cx, at(i)) * weight(cy, at(j));
-            sum += w * w * 0.5 * ((at(i) - cx).powi(2) + (at(j) - cy).powi(2));
-        }
-    }
-    sum / (STEPS * STEPS) as f64
 }
 
 /// The composed shader.
@@ -87,18 +60,18 @@ pub struct Perlin {
     settings: wgpu::Buffer,
     group: wgpu::BindGroup,
     mips: MipChain,
-    /// (height, dh/dx, dh/dy, 0): unit standard deviation of height, slopes per metre; x downwind.
+    /// (height, dh/dx, dh/dy, sum of the slopes' squares), metres; x downwind.
     pub texture: wgpu::Texture,
 }
 
 impl Perlin {
-    /// The pass with a tile of 256 by 256 texels.
+    /// The pass with a tile of [`TEXELS`] squared.
     pub fn new(gpu: &Gpu) -> Self {
         let write = Bind::Write(FORMAT, wgpu::TextureViewDimension::D2);
         let layout = gpu.layout("perlin", wgpu::ShaderStages::COMPUTE, &[Bind::Uniform, write]);
         let [pipeline] = gpu.compute("perlin", &source(), &[&layout], ["octaves"]);
         let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;
-        let texture = gpu.texture("perlin", Shape::array(TEXELS, 1, TEXELS.ilog2() - 1), FORMAT, usage);
+        let texture = gpu.texture("perlin", Shape::array(TEXELS as u32, 1, TEXELS.ilog2() - 1), FORMAT, usage);
         let mips = MipChain::new(gpu, &texture, "rgba16float");
         let buffer_usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let settings = gpu.empty_buffer("perlin", buffer_usage, size_of::<PerlinSettings>() as u64);
@@ -117,7 +90,7 @@ impl Perlin {
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
-        pass.dispatch_workgroups(TEXELS / SIDE, TEXELS / SIDE, 1);
+        pass.dispatch_workgroups(TEXELS as u32 / SIDE, TEXELS as u32 / SIDE, 1);
     }
 
     /// One dispatch per mip level.

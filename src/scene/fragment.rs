@@ -102,7 +102,7 @@ impl ViewState {
             "fetch" => s.fetch_km = Some(clamped(value, 1.0..=5000.0).ok_or_else(|| bad("give 1 to 5000 km"))?),
             "swell" => s.swell = Some(parse_swell(value).ok_or_else(|| bad("give height,period,from"))?),
             "chop" => s.chop = clamped(value, 0.0..=2.0).ok_or_else(|| bad("give 0 to 2"))?,
-            "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime]"))?,
+            "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
             "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
             "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
             "seed" => {

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat3, DVec2, DVec3, Mat4, Vec2, Vec3, Vec4};
+use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 
 use super::camera::{Camera, FIELD_OF_VIEW_Y};
+use super::foam::{self, FoamEye, Whitecaps};
 use super::layers::Layer;
 use super::sea::SeaTables;
-use super::settings::Settings;
+use super::settings::{FoamRule, Settings};
 use super::wave_domain::{self, Cell, MAX_NODES};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
@@ -55,6 +56,19 @@ pub struct WaveNode {
     pub perlin_start: Vec4,
 }
 
+/// A square of the foam map for the GPU; mirrors `FoamLevel` in `shaders/lib/frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct FoamLevel {
+    pub texel: [i32; 2],
+    pub fraction: [f32; 2],
+    pub side: f32,
+    pub threshold: f32,
+    pub softness: f32,
+    pub unused: u32,
+}
+
 /// Bind group 0's block; mirrors `Frame` in `shaders/lib/frame.wgsl`, which documents the members.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
@@ -99,7 +113,7 @@ pub struct FrameUniform {
     pub chop: f32,
     pub mix_near: f32,
     pub mix_far: f32,
-    pub foam: f32,
+    pub foam_rule: u32,
     pub perlin_patch: f32,
     pub patches: Vec4,
     pub node_count: u32,
@@ -107,14 +121,14 @@ pub struct FrameUniform {
     pub output: u32,
     pub cascade_count: u32,
     pub terrain_resolution: f32,
-    pub perlin_deviation: f32,
     pub crest_height: f32,
-    pub foam_quantile: f32,
-    pub slope_variance: [Vec4; 8],
+    pub foam_heights: Vec2,
+    pub below_slopes: Vec2,
     pub under_water: u32,
-    pub unused_a: u32,
-    pub unused_b: u32,
-    pub unused_c: u32,
+    pub chop_level: f32,
+    pub cascade_slopes: [Vec4; 2],
+    pub perlin_slopes: Vec4,
+    pub foam_levels: [FoamLevel; foam::LEVELS],
 }
 
 /// Everything that one call of `Renderer::render` draws.
@@ -128,6 +142,12 @@ pub struct Frame {
     pub unix_seconds: f64,
     /// The sea and its tiles.
     pub sea: Arc<SeaTables>,
+    /// Where the eye is in the foam map.
+    pub foam_eye: FoamEye,
+    /// The sea's whitecaps.
+    pub whitecaps: Whitecaps,
+    /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
+    pub foam_lifetime_s: Option<f64>,
     /// The block for the GPU.
     pub uniform: FrameUniform,
     /// The wave cells around the eye.
@@ -138,14 +158,6 @@ pub struct Frame {
 pub const MIX_NEAR_M: f64 = 2_000.0;
 /// Farther than this the Perlin field alone does.
 pub const MIX_FAR_M: f64 = 16_000.0;
-/// The Perlin tile holds this many peak wavelengths.
-const PERLIN_WAVES: f64 = 5.0;
-
-/// Length of the Perlin tile of a sea, metres.
-pub fn perlin_patch_m(sea: &SeaTables) -> f64 {
-    (PERLIN_WAVES * sea.peak_wavelength_m).clamp(120.0, 8_000.0)
-}
-
 impl Frame {
     /// The frame that `camera` sees at a UTC instant, `size` in pixels.
     pub fn new(settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
@@ -157,8 +169,10 @@ impl Frame {
         set_map(&mut uniform, camera);
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
-        let nodes = wave_nodes(&mut uniform, settings, camera, &sea);
-        Self { camera: *camera, size, unix_seconds, sea, uniform, nodes }
+        let (nodes, foam_eye) = wave_nodes(&mut uniform, settings, camera, &sea);
+        let whitecaps = Whitecaps::of(settings, &sea);
+        let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
+        Self { camera: *camera, size, unix_seconds, sea, foam_eye, whitecaps, foam_lifetime_s, uniform, nodes }
     }
 
     /// The same frame, reporting a measured layer instead of the picture.
@@ -269,25 +283,54 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = settings.chop as f32;
+    u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
-    u.foam = settings.foam.amount as f32;
-    let whitecaps = sea_state::whitecap_fraction(speed);
-    u.whitecaps = whitecaps as f32;
-    u.foam_quantile = sea_state::normal_quantile_above(whitecaps) as f32;
-    u.perlin_patch = perlin_patch_m(sea) as f32;
-    u.perlin_deviation = (sea.sea.hs_m / 4.0) as f32;
+    u.perlin_patch = sea.perlin.patch_m as f32;
     let patch = |i: usize| sea.cascades.get(i).map_or(1.0, |c| c.patch_m as f32);
     u.patches = Vec4::new(patch(0), patch(1), patch(2), patch(3));
     u.cascade_count = sea.cascades.len() as u32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
     u.layers = shows(Layer::Land, 1) | shows(Layer::Sea, 2) | shows(Layer::Sky, 4);
-    for (i, value) in sea.slope_variance.iter().enumerate() {
-        u.slope_variance[i / 4][i % 4] = *value;
-    }
+    let slopes = |i: usize| sea.cascade_slopes.get(i).map_or(Vec2::ZERO, |s| DVec2::from(*s).as_vec2());
+    u.cascade_slopes = [0, 2].map(|i| Vec4::from((slopes(i), slopes(i + 1))));
+    u.below_slopes = DVec2::from(sea.below_slopes).as_vec2();
+    let ([x, y], [rough_x, rough_y]) = (sea.perlin.slopes, sea.perlin.rough);
+    u.perlin_slopes = DVec4::new(rough_x, rough_y, x, y).as_vec4();
 }
 
-fn wave_nodes(u: &mut FrameUniform, settings: &Settings, camera: &Camera, sea: &SeaTables) -> [WaveNode; MAX_NODES] {
+/// The foam map's squares; returns the foam's lifetime where the picture shows the map.
+fn set_foam(
+    u: &mut FrameUniform,
+    settings: &Settings,
+    camera: &Camera,
+    whitecaps: &Whitecaps,
+    eye: &FoamEye,
+) -> Option<f64> {
+    u.whitecaps = whitecaps.share as f32;
+    u.foam_heights = DVec2::from(whitecaps.heights_m).as_vec2();
+    for (level, slot) in u.foam_levels.iter_mut().enumerate() {
+        let (texel, fraction) = eye.texel(level);
+        let fold = whitecaps.folds[level];
+        let (threshold, softness) = (fold.threshold.max(-1e9) as f32, fold.softness as f32);
+        *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, softness, unused: 0 };
+    }
+    let shown = whitecaps.share > 1e-6 && camera.altitude_m < foam::HIGHEST_M;
+    // The numbers of `shaders/lib/foam.wgsl`: the map, the height, the share alone.
+    u.foam_rule = match settings.foam.rule {
+        FoamRule::Height => 1,
+        FoamRule::Folding if shown => 0,
+        FoamRule::Folding => 2,
+    };
+    (u.foam_rule == 0).then_some(settings.foam.lifetime_s)
+}
+
+fn wave_nodes(
+    u: &mut FrameUniform,
+    settings: &Settings,
+    camera: &Camera,
+    sea: &SeaTables,
+) -> ([WaveNode; MAX_NODES], FoamEye) {
     let eye = camera.eye_ecef();
     let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
     let mut cells = wave_domain::cells_near(camera.lat, camera.lon);
@@ -297,10 +340,14 @@ fn wave_nodes(u: &mut FrameUniform, settings: &Settings, camera: &Camera, sea: &
     let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
     cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
     u.node_count = cells.len() as u32;
-    let perlin = perlin_patch_m(sea);
+    let wind_from = settings.wind.from_deg.to_radians();
+    let in_cell = |cell: &Cell| {
+        let (x, y) = cell.axes(wind_from);
+        DVec2::new((eye - cell.centre).dot(x), (eye - cell.centre).dot(y))
+    };
     let node = |cell: &Cell| {
-        let (x, y) = cell.axes(settings.wind.from_deg.to_radians());
-        let eye_in_cell = DVec2::new((eye - cell.centre).dot(x), (eye - cell.centre).dot(y));
+        let (x, y) = cell.axes(wind_from);
+        let eye_in_cell = in_cell(cell);
         let start = |tile: u32, patch_m: f64| {
             let at = eye_in_cell + cell.offset(settings.seed, tile, patch_m);
             DVec2::new(at.x.rem_euclid(patch_m), at.y.rem_euclid(patch_m)).as_vec2()
@@ -312,7 +359,7 @@ fn wave_nodes(u: &mut FrameUniform, settings: &Settings, camera: &Camera, sea: &
             axis_x: (enu_from_ecef * x).as_vec3(),
             axis_y: (enu_from_ecef * y).as_vec3(),
             starts: [pair(0), pair(2)],
-            perlin_start: Vec4::from((start(15, perlin), Vec2::ZERO)),
+            perlin_start: Vec4::from((start(15, sea.perlin.patch_m), Vec2::ZERO)),
             ..WaveNode::default()
         }
     };
@@ -320,5 +367,9 @@ fn wave_nodes(u: &mut FrameUniform, settings: &Settings, camera: &Camera, sea: &
     for (slot, cell) in nodes.iter_mut().zip(&cells) {
         *slot = node(cell);
     }
-    nodes
+    let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
+        frame: (cell.address, wind_from.to_bits()),
+        at: in_cell(cell),
+    });
+    (nodes, foam_eye)
 }

@@ -3,18 +3,22 @@
 //! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
 
 pub mod camera;
+pub mod drawn_tiles;
 pub mod flight;
+pub mod foam;
 pub mod fragment;
 pub mod frame;
 pub mod inertia;
 pub mod layers;
 pub mod maplibre;
+pub mod moved_water;
 pub mod navigate;
 pub mod number;
 pub mod pair;
 pub mod ride;
 pub mod sea;
 pub mod settings;
+pub mod surface_sample;
 pub mod tiles;
 pub mod time;
 pub mod values;

@@ -1,118 +1,126 @@
 //! The eye over the moving water: its altitude counted from the surface at its place instead of from the ellipsoid.
+//!
+//! A ride asks for one place in every frame, so the waves are summed there one by one, each as the linear interpolation
+//! between its tile's samples leaves it: the drawn surface without the transforms of [`super::surface_sample`].
+
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{DVec2, DVec3};
 
 use super::camera::Camera;
+use super::moved_water::{Motion, Place, between_samples};
 use super::sea::SeaTables;
 use super::settings::Settings;
 use super::view_state::ViewState;
-use super::wave_domain::{blend, cells_near};
 use crate::model::fft::{Complex, mul};
-use crate::model::waves::{self, Cascade};
-use std::sync::{Arc, Mutex};
+use crate::model::surface::{evolve, phase_at};
+use crate::model::waves::{self, Cascade, Tile};
 
 /// Waves lower than this share of the significant height do not lift the eye.
-const NOTICED: f64 = 2e-4;
+const NOTICED: f64 = 1e-4;
 
-/// Steps of the inversion of the chop; each leaves the local stretch, some 0.3, of the error before.
-const ITERATIONS: usize = 5;
-
+/// A wave and its mirror −k, which make a real wave together.
 struct Wave {
-    kx: f64,
-    ky: f64,
+    /// Column and row in the tile.
+    at: [usize; 2],
+    k: DVec2,
     h0: Complex,
     h0_mirror: Complex,
     cycles_per_tick: u64,
 }
 
-/// The waves that move an eye noticeably, one list per cascade.
+/// The waves of a cascade that move an eye noticeably.
 struct Lift {
-    tables: Arc<SeaTables>,
-    waves: Vec<Vec<Wave>>,
+    n: usize,
+    patch_m: f64,
+    /// e^{2πi/n} to the power 0…n − 1.
+    turns: Vec<Complex>,
+    waves: Vec<Wave>,
 }
 
 impl Lift {
-    fn new(tables: Arc<SeaTables>) -> Self {
+    fn new(tables: &SeaTables, index: usize, cascade: &Cascade) -> Self {
+        let (tile, n) = (Tile::from(cascade), cascade.n);
+        let h0 = waves::initial_amplitudes(&tables.sea, index, cascade);
+        let omegas = tables.frequencies(cascade);
         let noticed = NOTICED * tables.sea.hs_m;
-        let list = |(index, cascade): (usize, &Cascade)| {
-            let h0 = waves::initial_amplitudes(&tables.sea, index, cascade);
-            let omegas = waves::angular_frequencies(cascade);
-            let n = cascade.n;
-            let mirror = |i: usize| ((n - i / n) % n) * n + (n - i % n) % n;
-            let vectors = cascade.wave_vectors().enumerate();
-            let big =
-                vectors.filter(|&(i, _)| h0[i][0].hypot(h0[i][1]) + h0[mirror(i)][0].hypot(h0[mirror(i)][1]) > noticed);
-            big.map(|(i, (kx, ky))| Wave {
-                kx,
-                ky,
-                h0: h0[i],
-                h0_mirror: h0[mirror(i)],
-                cycles_per_tick: waves::cycles_per_tick(omegas[i]),
-            })
-            .collect()
+        let size = |i: usize| h0[i][0].hypot(h0[i][1]);
+        let big = (0..tile.count()).filter(|&i| i < tile.mirror(i) && size(i) + size(tile.mirror(i)) > noticed);
+        let waves = big.map(|i| Wave {
+            at: [i % n, i / n],
+            k: tile.wave_vector(i).into(),
+            h0: h0[i],
+            h0_mirror: h0[tile.mirror(i)],
+            cycles_per_tick: waves::cycles_per_tick(omegas[i]),
+        });
+        let turn = |i: usize| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+            [cos, sin]
         };
-        let waves = tables.cascades.iter().enumerate().map(list).collect();
-        Self { tables, waves }
+        Self { n, patch_m: cascade.patch_m, turns: (0..n).map(turn).collect(), waves: waves.collect() }
     }
 
-    /// Height and horizontal displacement of cascade `index` at rest coordinates `at`.
-    fn cascade(&self, index: usize, at: DVec2, ticks: u64) -> (f64, DVec2) {
-        let (mut height, mut shift) = (0.0, DVec2::ZERO);
-        for wave in &self.waves[index] {
-            let phase =
-                f64::from(waves::phase_u32(wave.cycles_per_tick, ticks)) / 4_294_967_296.0 * std::f64::consts::TAU;
-            let (sin, cos) = phase.sin_cos();
-            let forward = mul(wave.h0, [cos, -sin]);
-            let backward = mul([wave.h0_mirror[0], -wave.h0_mirror[1]], [cos, sin]);
-            let h = [forward[0] + backward[0], forward[1] + backward[1]];
-            let (sin, cos) = (wave.kx * at.x + wave.ky * at.y).sin_cos();
-            let turned = mul(h, [cos, sin]);
-            let k = wave.kx.hypot(wave.ky);
-            height += turned[0];
-            // D = i k/|k| H: the real part of i·turned is −Im.
-            shift -= DVec2::new(wave.kx, wave.ky) / k * turned[1];
+    /// H(k) of every wave at a tick.
+    fn evolved(&self, ticks: u64) -> Vec<Complex> {
+        let h = |w: &Wave| evolve(w.h0, w.h0_mirror, 0.0, phase_at(w.cycles_per_tick, ticks)).0;
+        self.waves.iter().map(h).collect()
+    }
+
+    /// e^{ikx} for every wave number of an axis, linearly between the samples around coordinate `at`, m.
+    fn factors(&self, at: f64) -> Vec<Complex> {
+        let (low, way) = between_samples(at, self.patch_m, self.n);
+        let mix = |i: usize| {
+            let (a, b) = (self.turns[i * low % self.n], self.turns[i * (low + 1) % self.n]);
+            [a[0] + way * (b[0] - a[0]), a[1] + way * (b[1] - a[1])]
+        };
+        (0..self.n).map(mix).collect()
+    }
+
+    /// The motion at tile coordinates `at`, m, from the waves' H(k).
+    fn motion(&self, evolved: &[Complex], at: DVec2) -> Motion {
+        let (along_x, along_y) = (self.factors(at.x), self.factors(at.y));
+        let mut sum = Motion::default();
+        for (wave, h) in self.waves.iter().zip(evolved) {
+            let turned = mul(*h, mul(along_x[wave.at[0]], along_y[wave.at[1]]));
+            // Twice the real part, for the mirrored wave too.
+            let (re, im) = (2.0 * turned[0], 2.0 * turned[1]);
+            let (k, unit) = (wave.k, wave.k.normalize());
+            sum += Motion {
+                height: re,
+                shift: -im * unit,
+                slope: -im * k,
+                stretch: -re * DVec3::new(k.x * unit.x, k.y * unit.y, k.x * unit.y),
+            };
         }
-        (height, shift)
+        sum
     }
 }
 
-/// Height in metres of the wave tiles' surface over the ellipsoid under the eye.
+/// Height in metres of the drawn surface over the ellipsoid under the eye.
 pub fn surface_height(settings: &Settings, camera: &Camera, unix_seconds: f64) -> f64 {
-    static LAST: Mutex<Option<Lift>> = Mutex::new(None);
+    type Kept = (Arc<SeaTables>, Vec<Lift>);
+    static LAST: Mutex<Option<Kept>> = Mutex::new(None);
     let tables = SeaTables::of(settings);
     if tables.sea.hs_m == 0.0 {
         return 0.0;
     }
-    let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let lift = match last.take().filter(|kept| kept.tables == tables) {
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    let (_, lifts) = match last.take().filter(|(kept, _)| *kept == tables) {
         Some(kept) => last.insert(kept),
-        None => last.insert(Lift::new(tables.clone())),
-    };
-    let cells = cells_near(camera.lat, camera.lon);
-    let foot = Camera { altitude_m: 0.0, ..*camera }.eye_ecef();
-    let serving = blend(&cells, foot);
-    let wind_from = settings.wind.from_deg.to_radians();
-    let ticks = waves::ticks_from_unix(unix_seconds);
-    // The rest point whose chop carries it under the eye: r + λ D(r) = foot, by iteration.
-    let mut rest = foot;
-    let mut height = 0.0;
-    for _ in 0..ITERATIONS {
-        let mut shift = DVec3::ZERO;
-        height = 0.0;
-        for &(cell, weight) in &serving {
-            let (x, y) = cell.axes(wind_from);
-            let away = rest - cell.centre;
-            let place = DVec2::new(away.dot(x), away.dot(y));
-            for (index, cascade) in tables.cascades.iter().enumerate() {
-                let at = place + cell.offset(settings.seed, index as u32, cascade.patch_m);
-                let (h, d) = lift.cascade(index, at, ticks);
-                height += weight * h;
-                shift += weight * (d.x * x + d.y * y);
-            }
+        None => {
+            let lift = |(index, cascade)| Lift::new(&tables, index, cascade);
+            let lifts = tables.cascades.iter().enumerate().map(lift).collect();
+            last.insert((tables.clone(), lifts))
         }
-        rest = foot - settings.chop * shift;
-    }
-    height
+    };
+    let ticks = waves::ticks_from_unix(unix_seconds);
+    let evolved: Vec<_> = lifts.iter().map(|lift| lift.evolved(ticks)).collect();
+    let place = Place::new(settings, &tables, camera.lat, camera.lon);
+    let tile = |index: usize, at| match (lifts.get(index), evolved.get(index)) {
+        (Some(lift), Some(h)) => lift.motion(h, at),
+        _ => Motion::default(),
+    };
+    place.invert(tables.sea.chop, tile).1.height - tables.chop_level_m
 }
 
 impl ViewState {

@@ -1,6 +1,7 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
 use super::layers::Layers;
+pub use crate::model::sea::SpectrumKind as Spectrum;
 use crate::model::sea_state;
 
 /// The wind at 10 m over the sea.
@@ -18,39 +19,6 @@ impl Default for Wind {
     }
 }
 
-/// The shape of the wave spectrum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spectrum {
-    /// Phillips' equilibrium form with Tessendorf's long-wave cut.
-    #[default]
-    Phillips,
-    /// Pierson and Moskowitz: a fully grown sea.
-    PiersonMoskowitz,
-    /// JONSWAP: a sea that grows with fetch.
-    Jonswap,
-    /// TMA: JONSWAP in shallow water.
-    Tma,
-    /// Elfouhaily and others: one spectrum from swell to ripples.
-    Elfouhaily,
-    /// A sum of sines.
-    Sines,
-    /// A sum of Gerstner waves.
-    Gerstner,
-}
-
-impl Spectrum {
-    /// Every spectrum with its name in links.
-    pub const ALL: [(Self, &'static str); 7] = [
-        (Self::Phillips, "phillips"),
-        (Self::PiersonMoskowitz, "pierson-moskowitz"),
-        (Self::Jonswap, "jonswap"),
-        (Self::Tma, "tma"),
-        (Self::Elfouhaily, "elfouhaily"),
-        (Self::Sines, "sines"),
-        (Self::Gerstner, "gerstner"),
-    ];
-}
-
 /// A swell from a far storm, on top of the wind sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swell {
@@ -62,18 +30,30 @@ pub struct Swell {
     pub from_deg: f64,
 }
 
+/// Where foam lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FoamRule {
+    /// Where the chop folds the surface; it grows, stays behind and fades.
+    #[default]
+    Folding,
+    /// On high water: saturate((H − H0)/(Hmax − H0)), with no memory.
+    Height,
+}
+
 /// Whitecaps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Foam {
-    /// Amount, 1 = as the waves fold; 0 to 3.
+    /// Amount, 1 = the share that is measured at sea in such a wind; 0 to 3.
     pub amount: f64,
     /// Time in seconds after which a patch has faded to 1/e, 0.1 to 60.
     pub lifetime_s: f64,
+    /// Where it lies.
+    pub rule: FoamRule,
 }
 
 impl Default for Foam {
     fn default() -> Self {
-        Self { amount: 1.0, lifetime_s: 3.5 }
+        Self { amount: 1.0, lifetime_s: 3.5, rule: FoamRule::default() }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::number::{clamped, decimal, decimal_deg, finite, wrapped_deg};
-use super::settings::{Foam, Swell, Wind};
+use super::settings::{Foam, FoamRule, Swell, Wind};
 
 /// Lowest altitude that a link can name, metres: the deepest trench.
 pub const LOWEST_VIEW_M: f64 = -11_000.0;
@@ -84,18 +84,30 @@ pub fn format_swell(swell: Swell) -> String {
     format!("{},{},{from}", decimal(swell.height_m, 3), decimal(swell.period_s, 3))
 }
 
-/// Reads `amount[,lifetime]`.
+/// The foam rule's name in links; folding has none, as the default.
+const BY_HEIGHT: &str = "height";
+
+/// Reads `amount[,lifetime[,height]]`.
 pub fn parse_foam(text: &str) -> Option<Foam> {
-    let (amount, lifetime) = text.split_once(',').map_or((text, None), |(amount, lifetime)| (amount, Some(lifetime)));
-    let lifetime_s = lifetime.map_or(Some(Foam::default().lifetime_s), |text| clamped(text, 0.1..=60.0))?;
-    Some(Foam { amount: clamped(amount, 0.0..=3.0)?, lifetime_s })
+    let parts: Vec<&str> = text.split(',').collect();
+    let default = Foam::default();
+    let (lifetime_s, rule) = match parts[1..] {
+        [] => (default.lifetime_s, default.rule),
+        [lifetime] => (clamped(lifetime, 0.1..=60.0)?, default.rule),
+        [lifetime, BY_HEIGHT] => (clamped(lifetime, 0.1..=60.0)?, FoamRule::Height),
+        _ => return None,
+    };
+    Some(Foam { amount: clamped(parts[0], 0.0..=3.0)?, lifetime_s, rule })
 }
 
-/// Writes foam, e.g. `0.5,10`; the default lifetime is left out.
+/// Writes foam, e.g. `0.5,10`; defaults at the end are left out.
 pub fn format_foam(foam: Foam) -> String {
-    let lifetime = decimal(foam.lifetime_s, 3);
-    let amount = decimal(foam.amount, 3);
-    if lifetime == decimal(Foam::default().lifetime_s, 3) { amount } else { format!("{amount},{lifetime}") }
+    let [amount, lifetime] = [foam.amount, foam.lifetime_s].map(|number| decimal(number, 3));
+    match foam.rule {
+        FoamRule::Height => format!("{amount},{lifetime},{BY_HEIGHT}"),
+        FoamRule::Folding if lifetime == decimal(Foam::default().lifetime_s, 3) => amount,
+        FoamRule::Folding => format!("{amount},{lifetime}"),
+    }
 }
 
 /// The item of a list that has a name.

@@ -24,7 +24,7 @@ impl WaveData {
         let mut data = Self::default();
         for (i, cascade) in tables.cascades.iter().enumerate() {
             let amplitudes = waves::initial_amplitudes(&tables.sea, i, cascade);
-            data.push(&amplitudes, &waves::angular_frequencies(cascade));
+            data.push(&amplitudes, &tables.frequencies(cascade));
         }
         data
     }

@@ -1,60 +1,7 @@
-//! How the energy of the sea is spread over wave numbers.
-//!
-//! Conventions: F(kx, ky) in m⁴ is a density over the *whole* plane, with its energy at the k the wave travels towards and x
-//! downwind; ∫∫ F d²k = m0 = Hs²/16. Each spectrum is a [`DirectionalSpectrum`], so that others join beside [`Phillips`]
-//! without a change to what consumes them.
+//! Phillips' spectrum as renderers use it, with a true height and true slopes.
 
-use super::{GRAVITY, dispersion, optics, quadrature::simpson_log};
-
-/// Integrals over all waves run from waves of 600 km to waves of 1.6 mm, rad/m; no sea has energy outside.
-const K_LONGEST: f64 = 1e-5;
-const K_SHORTEST: f64 = 4e3;
-
-/// A sea's energy over the wave-number plane. All of it depends on the sea alone, never on a grid.
-pub trait DirectionalSpectrum {
-    /// F(kx, ky), m⁴; x is downwind. Finite and at least 0 for every finite argument, 0 at the origin and for a calm.
-    fn density(&self, kx: f64, ky: f64) -> f64;
-
-    /// The wave number of the frequency spectrum's peak, rad/m; 0 for a calm.
-    fn peak_wavenumber(&self) -> f64;
-
-    /// ∫ F k dθ, m³: variance per wave number.
-    fn omnidirectional(&self, k: f64) -> f64 {
-        const ANGLES: usize = 128;
-        let step = std::f64::consts::TAU / ANGLES as f64;
-        let ring = (0..ANGLES).map(|i| {
-            let (sin, cos) = libm::sincos(step * i as f64);
-            self.density(k * cos, k * sin)
-        });
-        ring.sum::<f64>() * step * k
-    }
-
-    /// Variance of the surface from waves in [k0, k1), m².
-    fn variance_between(&self, k0: f64, k1: f64) -> f64 {
-        simpson_log(k0.max(K_LONGEST), k1.min(K_SHORTEST), 1024, |k| self.omnidirectional(k))
-    }
-
-    /// Mean square slope (both axes together) from waves in [k0, k1).
-    fn mss_between(&self, k0: f64, k1: f64) -> f64 {
-        simpson_log(k0.max(K_LONGEST), k1.min(K_SHORTEST), 1024, |k| k * k * self.omnidirectional(k))
-    }
-
-    /// Mean square slope of the waves at or beyond wave number `k`: what a grid that ends at `k` leaves to the glitter.
-    fn mss_above(&self, k: f64) -> f64 {
-        self.mss_between(k, f64::INFINITY)
-    }
-
-    /// Significant height Hs = 4 sqrt(m0), m, by integration.
-    fn significant_height(&self) -> f64 {
-        4.0 * libm::sqrt(self.variance_between(0.0, f64::INFINITY))
-    }
-
-    /// Period of the peak, s; 0 for a calm.
-    fn peak_period(&self) -> f64 {
-        let k = self.peak_wavenumber();
-        if k > 0.0 { std::f64::consts::TAU / dispersion::omega_deep(k) } else { 0.0 }
-    }
-}
+use super::{DirectionalSpectrum, K_CALM, K_SHORTEST, TAIL_EXPONENTS, TAIL_START};
+use crate::model::{GRAVITY, optics, quadrature::simpson_log};
 
 /// [Phillips'](crate::bibliography::Phillips1958) equilibrium range with the cut-off renderers know from
 /// [Tessendorf](crate::bibliography::Tessendorf2001), an amplitude that gives a wanted height, and a slope-true tail:
@@ -85,8 +32,6 @@ pub struct Phillips {
 
 /// Most of the slope variance that waves up to 10 kp may hold.
 pub const STEEPEST_SHARE: f64 = 0.8;
-/// Range of the tail exponent q: from nearly no tail to a bit above Toba's.
-pub const TAIL_EXPONENTS: (f64, f64) = (-8.0, 0.75);
 /// Default damping ℓ, m: takes out waves shorter than about 6 mm, where water's viscosity does.
 pub const DAMPING_M: f64 = 1e-3;
 /// The frequency spectrum of k⁻³ exp(−1/(kL)²) peaks at ω⁴ = (4/5) g²/L², so at kL = sqrt(4/5).
@@ -95,19 +40,40 @@ const PEAK_KL: f64 = 0.894_427_190_999_915_9;
 const SLOPE_INTEGRAL_TO_TAIL: f64 = 1.908_636_007_762_743_8;
 
 impl Phillips {
+    /// No waves.
+    pub const CALM: Self = Self { a: 0.0, l: 0.0, damping_m: DAMPING_M, upwind: 0.0, k_tail: 0.0, tail: 0.0 };
+
     /// The sea at wind speed `speed_mps` with significant height `hs_m`: slope-true, nothing against the wind.
     /// Speeds and heights that are negative or not finite count as a calm.
     pub fn new(speed_mps: f64, hs_m: f64) -> Self {
         let usable = |x: f64| if x.is_finite() { x.max(0.0) } else { 0.0 };
         let (speed, hs) = (usable(speed_mps), usable(hs_m));
         if speed == 0.0 || hs == 0.0 {
-            return Self { a: 0.0, l: 0.0, damping_m: DAMPING_M, upwind: 0.0, k_tail: 0.0, tail: 0.0 };
+            return Self::CALM;
         }
+        Self::slope_true(speed, hs, speed * speed / GRAVITY)
+    }
+
+    /// As [`Phillips::new`], with the frequency spectrum's peak at wave number `peak` (rad/m, positive) where that is not too
+    /// steep for the wind's slopes.
+    pub fn with_peak(speed_mps: f64, hs_m: f64, peak: f64) -> Self {
+        let usable = |x: f64| x.is_finite() && x > 0.0;
+        if [speed_mps, hs_m, peak].into_iter().all(usable) {
+            return Self::slope_true(speed_mps, hs_m, PEAK_KL / peak);
+        }
+        Self::CALM
+    }
+
+    /// `new` with a wish for L in place of U²/g; all arguments positive.
+    fn slope_true(speed: f64, hs: f64, wanted_l: f64) -> Self {
         let mss = optics::cox_munk_mss(speed).total;
         // Without a tail mss(<10kp) = Hs²/(8 L²) · SLOPE_INTEGRAL_TO_TAIL.
         let least_l = hs * libm::sqrt(SLOPE_INTEGRAL_TO_TAIL / (8.0 * STEEPEST_SHARE * mss));
-        let l = (speed * speed / GRAVITY).max(least_l);
-        let k_tail = 10.0 * PEAK_KL / l;
+        let l = wanted_l.max(least_l);
+        if l.is_nan() || PEAK_KL / l >= K_CALM {
+            return Self::CALM;
+        }
+        let k_tail = TAIL_START * PEAK_KL / l;
         let mut sea = Self { a: 1.0, l, damping_m: DAMPING_M, upwind: 0.0, k_tail, tail: 0.0 };
         let wanted = mss / (hs * hs / 16.0);
         let (mut low, mut high) = TAIL_EXPONENTS;
@@ -157,7 +123,7 @@ impl Phillips {
 impl DirectionalSpectrum for Phillips {
     fn density(&self, kx: f64, ky: f64) -> f64 {
         let k2 = kx * kx + ky * ky;
-        if k2 <= 0.0 || k2.is_nan() {
+        if !(k2 > 0.0 && k2.is_finite()) {
             return 0.0;
         }
         let side = if kx > 0.0 { 1.0 } else { self.upwind };

@@ -1,0 +1,73 @@
+// Foam in time, on the squares of the foam map: born where the chop folds, then fading; see src/model/foam.rs.
+#import foam
+
+struct FoamStep {
+    previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
+    grow: f32,                 // exp(-dt / growth time)
+    keep: f32,                 // exp(-dt / lifetime)
+    empty: u32,                // 1: there is no history
+    unused: u32,
+}
+
+@group(2) @binding(0) var<uniform> now: FoamStep;
+@group(2) @binding(1) var next: texture_storage_2d<FORMAT, write>;
+
+// The texel of the world that is kept in a slot while the eye is in texel `eye`.
+fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
+    return eye + ((slot - eye + FOAM_TEXELS / 2) & vec2i(FOAM_TEXELS - 1)) - FOAM_TEXELS / 2;
+}
+
+// Smaller eigenvalue of the chop's gradient, summed over the cascades, at a rest point; waves below the footprint left out.
+fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
+    let found = node_weights(p);
+    let texels = f32(textureDimensions(gradients).x);
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.node_count; i++) {
+        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
+        if w <= 0.0 { continue; }
+        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
+        var own = vec3f(0.0);
+        for (var c = 0u; c < frame.cascade_count; c++) {
+            let length = frame.patches[c];
+            let fade = resolvable(footprint, length);
+            if fade <= 0.0 { continue; }
+            let uv = tile_uv(local, i, c, texels);
+            let lod = mip_for(footprint, length, texels);
+            let stretch = textureSampleLevel(gradients, repeated, uv, c, lod).zw;
+            own += fade * vec3f(stretch, textureSampleLevel(moments, repeated, uv, c, lod).w);
+        }
+        sum += w * turned(own, nodes[i].axis_x.xy, nodes[i].axis_y.xy);
+    }
+    return 0.5 * (sum.x + sum.y) - length(vec2f(0.5 * (sum.x - sum.y), sum.z));
+}
+
+@compute @workgroup_size(8, 8)
+fn advance(@builtin(global_invocation_id) id: vec3u) {
+    let slot = vec2i(id.xy);
+    let before = textureLoad(foam_map, slot, 0);
+    let axis_x = nodes[0].axis_x;
+    let axis_y = nodes[0].axis_y;
+    var after = vec4f(0.0);
+    for (var level = 0u; level < FOAM_LEVELS; level++) {
+        let square = frame.foam_levels[level];
+        if square.threshold < -1e8 {
+            // Nothing that this square can hold folds: it has its share everywhere.
+            after[level] = frame.whitecaps;
+            continue;
+        }
+        let world = world_texel(slot, square.texel);
+        let was = world - now.previous[level].xy;
+        var foam = before[level];
+        if any(was < vec2i(-FOAM_TEXELS / 2)) || any(was >= vec2i(FOAM_TEXELS / 2)) {
+            // New in this square: the next coarser one, whose texels are three times as wide, knows the place.
+            let coarser = vec2i(floor((vec2f(world) + 0.5) / 3.0)) & vec2i(FOAM_TEXELS - 1);
+            foam = select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
+        }
+        if now.empty == 1u { foam = 0.0; }
+        let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
+        let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
+        let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
+        after[level] = breaking + (foam - breaking) * select(now.keep, now.grow, breaking > foam);
+    }
+    textureStore(next, slot, after);
+}

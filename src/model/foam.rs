@@ -1,0 +1,214 @@
+//! Whitecaps: where the chop folds the surface foam is born, and then it fades.
+//!
+//! State F in 0…1 at a rest point (share covered). The smaller eigenvalue μ of ∇D says how much of the point breaks ([`Fold`]):
+//! F grows towards that share with [`GROWTH_S`], and from above it decays to it with the foam's lifetime. Both are exact
+//! exponentials of the time that has gone by, so the result does not depend on the frame rate as long as frames are shorter than
+//! a fold lives.
+//!
+//! # Which folds?
+//! Linear waves fold too often in a gale and hardly ever in a breeze, and the more so the finer the grid: the measured whitecap
+//! fraction fixes the threshold instead. The mean of F over the water's area has no closed form (it needs the durations of
+//! excursions of an eigenvalue), so [`folds`] simulates ∇D at many independent rest points, from the sea's own
+//! spectrum, and bisects. Each level of the foam map sees waves longer than a few of its texels alone and has a threshold of its
+//! own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
+//! quantile of μ alone (the lifetime multiplies it by three in a gale and by ten in a breeze).
+
+use super::{dispersion, noise, spectrum::DirectionalSpectrum};
+
+/// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
+pub const LIFETIME_S: f64 = 3.85;
+/// Time in which a breaking crest turns white to 1 − 1/e, s.
+pub const GROWTH_S: f64 = 0.25;
+/// Waves longer than this many texels move a level of the foam map: where a texel's mean and bilinear interpolation leave
+/// sinc³(ks/2) = 0.7 of a wave.
+pub const TEXELS_PER_WAVE: f64 = 3.7;
+
+/// Independent rest points.
+const POINTS: usize = 1024;
+/// Instants of each and the time between them, s.
+const INSTANTS: usize = 64;
+const STEP_S: f64 = 0.15;
+/// Bands of wave numbers, below the coarsest level's shortest wave and in each level after it.
+const LOW_BANDS: usize = 6;
+const BANDS: usize = 3;
+/// Directions off the wind, radians.
+const DIRECTIONS: [f64; 4] = [-0.95, -0.3, 0.3, 0.95];
+
+/// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
+/// for any step. A lifetime of 0 or less leaves Fₑ.
+pub fn relaxed(foam: f64, equilibrium: f64, dt_s: f64, lifetime_s: f64) -> f64 {
+    if lifetime_s <= 0.0 {
+        return equilibrium;
+    }
+    equilibrium + (foam - equilibrium) * libm::exp(-dt_s.max(0.0) / lifetime_s)
+}
+
+/// F after `dt_s` seconds that began with `foam`, while the share `breaking` (0…1) breaks.
+pub fn evolve(foam: f64, breaking: f64, dt_s: f64, lifetime_s: f64) -> f64 {
+    relaxed(foam, breaking, dt_s, if breaking > foam { GROWTH_S } else { lifetime_s })
+}
+
+/// Where a level breaks: saturate((threshold − μ)/softness) of a texel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fold {
+    /// Value of μ below which whitecaps begin (1 + λμ is the smaller eigenvalue of the chop's gradient); −∞: never.
+    pub threshold: f64,
+    /// How far below it a texel breaks as a whole. Large texels hold many crests, of which few break at a time.
+    pub softness: f64,
+}
+
+impl Fold {
+    /// Nothing breaks.
+    pub const NEVER: Self = Self { threshold: f64::NEG_INFINITY, softness: 1.0 };
+}
+
+/// Where the ramp saturate(η/σ − q) of a Gaussian height η must start, in standard deviations q, so that its mean is `share`
+/// (0…½): the height rule's foam. By bisection on its closed form, the difference of two unit normal losses.
+pub fn ramp_start(share: f64) -> f64 {
+    // L(q) = φ(q) − q Q(q), the mean of max(x − q, 0).
+    let loss = |q: f64| {
+        let density = libm::exp(-0.5 * q * q) / libm::sqrt(std::f64::consts::TAU);
+        density - q * 0.5 * libm::erfc(q * std::f64::consts::FRAC_1_SQRT_2)
+    };
+    let (mut low, mut high) = (-2.0, 6.0);
+    for _ in 0..40 {
+        let q = 0.5 * (low + high);
+        if loss(q) - loss(q + 1.0) > share { low = q } else { high = q }
+    }
+    0.5 * (low + high)
+}
+
+/// One wave of the simulation: ∇D per unit of its random amplitude, and its frequency.
+struct Component {
+    gradient: [f64; 3],
+    omega: f64,
+    level: usize,
+}
+
+/// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
+/// (0…1) for a lifetime in seconds. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for
+/// it gets [`Fold::NEVER`].
+pub fn folds<const N: usize>(
+    spectrum: &dyn DirectionalSpectrum,
+    chop: f64,
+    texels_m: [f64; N],
+    softness: [f64; N],
+    wanted: f64,
+    lifetime_s: f64,
+) -> [Fold; N] {
+    let waves = components(spectrum, &texels_m);
+    let mut folds = [Fold::NEVER; N];
+    if wanted <= 0.0 {
+        return folds;
+    }
+    let mut series = vec![Vec::with_capacity(POINTS * INSTANTS); N];
+    (0..POINTS).for_each(|point| simulate(point, &waves, chop, &mut series));
+    for ((fold, series), softness) in folds.iter_mut().zip(&series).zip(softness) {
+        let lowest = series.iter().map(|(mu, _)| *mu).fold(0.0f32, f32::min);
+        let deviation = (series.iter().map(|(mu, _)| f64::from(mu * mu)).sum::<f64>() / series.len() as f64).sqrt();
+        if deviation < 1e-3 {
+            continue;
+        }
+        fold.softness = softness * deviation;
+        let (mut low, mut high) = (f64::from(lowest), deviation + fold.softness);
+        // 14 halvings: 1e-4 of the range.
+        for _ in 0..14 {
+            fold.threshold = 0.5 * (low + high);
+            let mean = mean_foam(series, *fold, lifetime_s);
+            if mean < wanted { low = fold.threshold } else { high = fold.threshold }
+        }
+    }
+    folds
+}
+
+/// Waves that carry the energy of the spectrum in bands of wave number and direction.
+fn components(spectrum: &dyn DirectionalSpectrum, texels_m: &[f64]) -> Vec<Component> {
+    let peak = spectrum.peak_wavenumber();
+    let mut waves = Vec::new();
+    let mut from = 0.3 * peak;
+    for (level, texel_m) in texels_m.iter().enumerate().rev() {
+        let to = std::f64::consts::TAU / (TEXELS_PER_WAVE * texel_m);
+        let bands = if waves.is_empty() { LOW_BANDS } else { BANDS };
+        if to <= from || from <= 0.0 {
+            continue;
+        }
+        let ratio = libm::pow(to / from, 1.0 / bands as f64);
+        for band in 0..bands {
+            let k0 = from * libm::pow(ratio, band as f64);
+            let k = k0 * libm::sqrt(ratio);
+            let energy = spectrum.omnidirectional(k) * k0 * (ratio - 1.0);
+            let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
+            let total: f64 = density.iter().sum();
+            for (angle, density) in DIRECTIONS.iter().zip(density).filter(|_| total > 0.0) {
+                let (sin, cos) = libm::sincos(*angle);
+                // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
+                let slope = k * libm::sqrt(energy * density / total);
+                waves.push(Component {
+                    gradient: [-slope * cos * cos, -slope * sin * sin, -slope * sin * cos],
+                    omega: dispersion::omega_deep(k),
+                    level,
+                });
+            }
+        }
+        from = to;
+    }
+    waves
+}
+
+/// Appends (μ, J) of every level at the instants of one rest point.
+fn simulate(point: usize, waves: &[Component], chop: f64, series: &mut [Vec<(f32, f32)>]) {
+    // Amplitudes are complex Gaussian, so that the tails are those of a Gaussian sea; each turns on by a fixed angle.
+    let mut turning: Vec<_> = waves
+        .iter()
+        .enumerate()
+        .map(|(index, wave)| {
+            // Frequencies differ a little from point to point, so that no beat is common to all.
+            let [jitter, _] = noise::bits(1, 2_000, point as i32, index as i32);
+            let omega = wave.omega * (0.85 + 0.3 * (jitter >> 11) as f64 / (1u64 << 53) as f64);
+            let (sin, cos) = libm::sincos(-omega * STEP_S);
+            (noise::gaussian_pair(0, 2_000, point as i32, index as i32), [cos, sin])
+        })
+        .collect();
+    for _ in 0..INSTANTS {
+        let mut sum = [0.0; 3];
+        let mut waves = waves.iter().zip(&mut turning).peekable();
+        for level in (0..series.len()).rev() {
+            while let Some((wave, (z, turn))) = waves.next_if(|(wave, _)| wave.level == level) {
+                for (sum, gradient) in sum.iter_mut().zip(wave.gradient) {
+                    *sum += gradient * z[0];
+                }
+                *z = [z[0] * turn[0] - z[1] * turn[1], z[0] * turn[1] + z[1] * turn[0]];
+            }
+            let [xx, yy, xy] = sum;
+            let half = 0.5 * (xx - yy);
+            let mu = 0.5 * (xx + yy) - (half * half + xy * xy).sqrt();
+            let j = (1.0 + chop * xx) * (1.0 + chop * yy) - chop * chop * xy * xy;
+            series[level].push((mu as f32, j.max(0.0) as f32));
+        }
+    }
+}
+
+/// Mean of F over the displaced water's area. Each point's record is run twice, the second time from the state that the first tends
+/// to when it is repeated, so that lifetimes longer than the record count in full.
+fn mean_foam(series: &[(f32, f32)], fold: Fold, lifetime_s: f64) -> f64 {
+    let (grow, keep) = ((-STEP_S / GROWTH_S).exp() as f32, (-STEP_S / lifetime_s).exp() as f32);
+    let (threshold, steepness) = (fold.threshold as f32, (1.0 / fold.softness) as f32);
+    let step = |f: f32, mu: f32| {
+        let breaking = ((threshold - mu) * steepness).clamp(0.0, 1.0);
+        breaking + (f - breaking) * if breaking > f { grow } else { keep }
+    };
+    let (mut foam, mut area) = (0.0f64, 0.0f64);
+    for record in series.chunks_exact(INSTANTS) {
+        let run = |start: f32| record.iter().fold(start, |f, (mu, _)| step(f, *mu));
+        // One run maps start to about a + b·start.
+        let a = run(0.0);
+        let b = run(1.0) - a;
+        let mut f = a / (1.0 - b).max(1e-6);
+        for (mu, j) in record {
+            f = step(f, *mu);
+            foam += f64::from(f * j);
+            area += f64::from(*j);
+        }
+    }
+    foam / area.max(1e-9)
+}

@@ -1,0 +1,139 @@
+//! Foam in time: one dispatch advances the four squares of the foam map. What it means: `scene/foam.rs` and `model/foam.rs`.
+
+use bytemuck::{Pod, Zeroable};
+
+use crate::gpu::pipeline::Bind;
+use crate::gpu::texture::{self, Shape};
+use crate::gpu::{Gpu, shader};
+use crate::model::foam::GROWTH_S;
+use crate::model::waves::TICKS_PER_SECOND;
+use crate::scene::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M, replay_next, replay_span, replay_start};
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Texels along a side of a workgroup.
+const SIDE: u32 = 8;
+/// Steps shorter than this are saved up, s: 16-bit floats would round their decay away.
+const SHORTEST_STEP_S: f64 = 1.0 / 120.0;
+
+/// Mirrors `FoamStep` in `shaders/foam.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct FoamStep {
+    pub previous: [[i32; 4]; LEVELS],
+    pub grow: f32,
+    pub keep: f32,
+    pub empty: u32,
+    pub unused: u32,
+}
+
+/// The composed shader.
+pub fn source() -> String {
+    shader::composed(&include_str!("../../shaders/foam.wgsl").replace("FORMAT", "rgba16float"), "")
+}
+
+/// Up to when the map is right, and where the eye was then.
+#[derive(Clone, Copy)]
+struct State {
+    ticks: u64,
+    eye: FoamEye,
+    empty: bool,
+}
+
+/// The pass and its two maps, of which one is read while the other is written.
+pub struct Foam {
+    pipeline: wgpu::ComputePipeline,
+    step: wgpu::Buffer,
+    /// `groups[i]` writes the other map than `maps[i]`.
+    groups: [wgpu::BindGroup; 2],
+    /// The maps, for bind group 1.
+    pub maps: [wgpu::TextureView; 2],
+    /// The maps' textures.
+    pub textures: [wgpu::Texture; 2],
+    current: usize,
+    state: Option<State>,
+}
+
+impl Foam {
+    /// Empty maps; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, surface: &wgpu::BindGroupLayout) -> Self {
+        let binds = [Bind::Uniform, Bind::Write(FORMAT, wgpu::TextureViewDimension::D2)];
+        let layout = gpu.layout("foam", wgpu::ShaderStages::COMPUTE, &binds);
+        let [pipeline] = gpu.compute("foam", &source(), &[frame, surface, &layout], ["advance"]);
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let step = gpu.empty_buffer("foam step", usage, size_of::<FoamStep>() as u64);
+        let shape = Shape::picture(TEXELS as u32, TEXELS as u32);
+        let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;
+        let textures = [0, 1].map(|_| gpu.texture("foam", shape, FORMAT, usage));
+        let maps = textures.each_ref().map(texture::view);
+        let groups = [1, 0].map(|to: usize| {
+            gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
+        });
+        Self { pipeline, step, groups, maps, textures, current: 0, state: None }
+    }
+
+    /// Which of [`Foam::maps`] is the present one.
+    pub fn current(&self) -> usize {
+        self.current
+    }
+
+    /// Forgets the history: the next frame starts a replay.
+    pub fn reset(&mut self) {
+        self.state = None;
+    }
+
+    /// The instant up to which a map that is to show `ticks` must be brought next, and None when it shows them already. The first
+    /// of a replay has no history; a step from a recent state leads straight to `ticks`.
+    pub fn next_instant(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64) -> Option<u64> {
+        let usable = |state: &State| {
+            let age = ticks.wrapping_sub(state.ticks);
+            // Half of the widest square: nothing that the map knows would be left in the finer ones.
+            let near = state.eye.at.distance(eye.at) < 0.25 * f64::from(TEXELS) * TEXELS_M[LEVELS - 1];
+            age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near
+        };
+        let Some(state) = self.state.filter(usable) else {
+            let ticks = replay_start(ticks, lifetime_s);
+            self.state = Some(State { ticks, eye: *eye, empty: true });
+            return Some(ticks);
+        };
+        let age = ticks.wrapping_sub(state.ticks);
+        let seconds = age as f64 / TICKS_PER_SECOND;
+        if state.empty {
+            return Some(state.ticks);
+        }
+        // Saved up, unless the eye has moved on to texels that the map does not know.
+        if seconds < SHORTEST_STEP_S && (age == 0 || state.eye == *eye) {
+            return (state.eye != *eye).then_some(ticks);
+        }
+        Some(if seconds <= 0.5 * lifetime_s { ticks } else { replay_next(state.ticks, ticks, lifetime_s) })
+    }
+
+    /// Sets what the next [`Foam::dispatch`] does: brings the map to `ticks` with the eye at `eye`.
+    pub fn prepare(&mut self, gpu: &Gpu, ticks: u64, eye: &FoamEye, lifetime_s: f64) {
+        let last = self.state.unwrap_or(State { ticks, eye: *eye, empty: true });
+        let dt_s = ticks.wrapping_sub(last.ticks) as f64 / TICKS_PER_SECOND;
+        let step = FoamStep {
+            previous: std::array::from_fn(|level| {
+                let ([x, y], _) = last.eye.texel(level);
+                [x, y, 0, 0]
+            }),
+            // The first instant of a replay has no time before it: crests that break then count as white.
+            grow: if last.empty { 0.0 } else { (-dt_s / GROWTH_S).exp() as f32 },
+            keep: (-dt_s / lifetime_s).exp() as f32,
+            empty: u32::from(last.empty),
+            unused: 0,
+        };
+        gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(&step));
+        self.state = Some(State { ticks, eye: *eye, empty: false });
+    }
+
+    /// One dispatch; `surface` must hold the present map. Afterwards the other map is the present one.
+    pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, surface, &[]);
+        pass.set_bind_group(2, &self.groups[self.current], &[]);
+        pass.dispatch_workgroups(TEXELS as u32 / SIDE, TEXELS as u32 / SIDE, 1);
+        self.current = 1 - self.current;
+    }
+}

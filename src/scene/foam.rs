@@ -1,0 +1,122 @@
+//! The foam map: four squares of texels around the eye, each three times as coarse as the one before, fixed to the world.
+//!
+//! ```text
+//!  +-----------------------------+   A texel is a square of rest coordinates in the wind-aligned frame of the wave cell
+//!  |              3              |   nearest to the eye, so waves, foam and eye move past each other as water does.
+//!  |      +---------------+      |   Texel (i, j) of the world lies in the texture at (i mod 256, j mod 256): when the
+//!  |      |     2         |      |   eye moves, only the texels that come into the square are made anew, from the
+//!  |      |   +-------+   |      |   next coarser square.
+//!  |      |   |1 +-+  |   |      |
+//!  |      |   |  |0|e |   |      |   The four squares share one texture, a channel each.
+//! ```
+//! What has a history must be told how to begin: after a load, a jump in time or place, or a new wind, the foam is rebuilt by
+//! replaying three lifetimes of the sea at instants that depend on UTC alone ([`replay`]), so that a still picture has the same
+//! foam everywhere.
+
+use std::sync::{Arc, Mutex};
+
+use glam::DVec2;
+
+use super::sea::SeaTables;
+use super::settings::{Foam, FoamRule, Settings};
+use crate::model::foam::{self, Fold};
+use crate::model::sea_state;
+use crate::model::waves::TICKS_PER_SECOND;
+
+/// Squares of the map; equals `FOAM_LEVELS` in `shaders/lib/frame.wgsl`.
+pub const LEVELS: usize = 4;
+/// Texels along a side; equals `FOAM_TEXELS` in `shaders/lib/frame.wgsl`.
+pub const TEXELS: i32 = 256;
+/// Sides of the texels, metres.
+pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
+/// How gradually a level breaks, in root mean squares of its eigenvalue.
+const SOFTNESS: [f64; LEVELS] = [0.2, 0.5, 1.0, 1.5];
+/// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
+pub const HIGHEST_M: f64 = 4_000.0;
+/// Lifetimes that a replay goes back: e⁻³ is 5 %.
+const LIFETIMES: u64 = 3;
+
+/// Where whitecaps are on a sea.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whitecaps {
+    /// Share of the surface that they cover.
+    pub share: f64,
+    /// Where foam is born, by level.
+    pub folds: [Fold; LEVELS],
+    /// Height above which foam lies, and above which it covers all, metres; for [`FoamRule::Height`].
+    pub heights_m: [f64; 2],
+}
+
+impl Whitecaps {
+    /// The whitecaps of a sea under `settings`; those of the last sea are kept.
+    pub fn of(settings: &Settings, sea: &Arc<SeaTables>) -> Self {
+        type Kept = (Arc<SeaTables>, Foam, Whitecaps);
+        static LAST: Mutex<Option<Kept>> = Mutex::new(None);
+        let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match last.as_ref().filter(|kept| kept.0 == *sea && kept.1 == settings.foam) {
+            Some(kept) => kept.2,
+            None => last.insert((sea.clone(), settings.foam, Self::new(settings.foam, sea))).2,
+        }
+    }
+
+    /// The whitecaps of a sea. [`Foam::amount`] scales the share that is measured at sea
+    /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)).
+    pub fn new(foam: Foam, sea: &SeaTables) -> Self {
+        let sea = &sea.sea;
+        let share =
+            if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
+        let folds = if foam.rule == FoamRule::Height {
+            [Fold::NEVER; LEVELS]
+        } else {
+            foam::folds(&sea.spectrum(), sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
+        };
+        let deviation = sea.hs_m / 4.0;
+        let from = foam::ramp_start(share);
+        Self { share, folds, heights_m: [from * deviation, (from + 1.0) * deviation] }
+    }
+}
+
+/// A place in the foam map's frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FoamEye {
+    /// Which cell's frame, and how it is turned: another one is another map.
+    pub frame: ([i32; 3], u64),
+    /// The eye in it, metres.
+    pub at: DVec2,
+}
+
+impl FoamEye {
+    /// Texel of the eye on a level, and how far into it the eye is, 0…1 texels.
+    pub fn texel(&self, level: usize) -> ([i32; 2], [f32; 2]) {
+        let at = self.at / TEXELS_M[level];
+        let whole = at.floor();
+        ([whole.x as i32, whole.y as i32], (at - whole).as_vec2().to_array())
+    }
+}
+
+/// Distance of a replay's instants late, in the middle and early in it, ticks: powers of two, so that they lie at the same instants
+/// of UTC for everyone. A quarter of a second late in it, for a lifetime of 3.5 s.
+fn replay_steps(lifetime_s: f64) -> [u64; 3] {
+    let late = (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round().exp2() as u64;
+    [late, 2 * late, 4 * late]
+}
+
+/// How far back a replay to an instant goes, ticks.
+pub fn replay_span(lifetime_s: f64) -> u64 {
+    LIFETIMES * (lifetime_s * TICKS_PER_SECOND) as u64
+}
+
+/// The first instant of a replay to `ticks`.
+pub fn replay_start(ticks: u64, lifetime_s: f64) -> u64 {
+    let step = replay_steps(lifetime_s)[2];
+    ticks.wrapping_sub(replay_span(lifetime_s)) / step * step
+}
+
+/// The instant that follows `from` in a replay to `to`: the next multiple of the step that its age asks for, at most `to`.
+pub fn replay_next(from: u64, to: u64, lifetime_s: f64) -> u64 {
+    let age = to.wrapping_sub(from);
+    let lifetime = replay_span(lifetime_s) / LIFETIMES;
+    let step = replay_steps(lifetime_s)[(age.saturating_sub(1) / lifetime.max(1)).min(2) as usize];
+    let next = (from / step).wrapping_add(1).wrapping_mul(step);
+    if to.wrapping_sub(next) < age { next } else { to }
+}

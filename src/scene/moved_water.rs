@@ -1,0 +1,158 @@
+//! From a place on the map to the water that stands there: which tiles move it, and the inversion of their chop.
+//!
+//! All of it follows `shaders/lib/waves.wgsl`, in f64: the same cells, weights, tiles and linear interpolation between texels.
+
+use std::ops::AddAssign;
+
+use glam::{DMat3, DVec2, DVec3};
+
+use super::sea::SeaTables;
+use super::settings::Settings;
+use super::wave_domain::{self, Cell, cells_near};
+use crate::model::earth::{self, Geodetic, WGS84};
+use crate::model::surface::ChopGradient;
+use crate::model::waves::CASCADES;
+
+/// How the waves move a point at rest; in a tile's axes, or east and north.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Height η, m.
+    pub height: f64,
+    /// Horizontal displacement D before λ, m.
+    pub shift: DVec2,
+    /// ∇η at rest.
+    pub slope: DVec2,
+    /// ∂Dx/∂x, ∂Dy/∂y, ∂Dx/∂y.
+    pub stretch: DVec3,
+}
+
+impl AddAssign for Motion {
+    fn add_assign(&mut self, other: Self) {
+        self.height += other.height;
+        self.shift += other.shift;
+        self.slope += other.slope;
+        self.stretch += other.stretch;
+    }
+}
+
+impl Motion {
+    /// The motion in axes in which this one's are `x` and `y`, times `weight`.
+    fn turned(self, x: DVec2, y: DVec2, weight: f64) -> Self {
+        let s = self.stretch;
+        Self {
+            height: weight * self.height,
+            shift: weight * (self.shift.x * x + self.shift.y * y),
+            slope: weight * (self.slope.x * x + self.slope.y * y),
+            stretch: weight
+                * DVec3::new(
+                    s.x * x.x * x.x + s.y * y.x * y.x + 2.0 * s.z * x.x * y.x,
+                    s.x * x.y * x.y + s.y * y.y * y.y + 2.0 * s.z * x.y * y.y,
+                    s.x * x.x * x.y + s.y * y.x * y.y + s.z * (x.x * y.y + x.y * y.x),
+                ),
+        }
+    }
+
+    /// The choppy map's gradient at a λ.
+    pub fn chop_gradient(&self, chop: f64) -> ChopGradient {
+        ChopGradient::new(self.stretch.x, self.stretch.y, self.stretch.z, chop)
+    }
+}
+
+/// A cell seen from a place: its axes, and where its tiles start.
+struct Serving {
+    cell: Cell,
+    axes: [DVec3; 2],
+    level_axes: [DVec2; 2],
+    offsets: [DVec2; CASCADES],
+}
+
+/// A place on the ellipsoid with the cells around it. Points near it are metres east and north of it.
+pub struct Place {
+    foot: DVec3,
+    ecef_from_enu: DMat3,
+    cells: Vec<Cell>,
+    serving: Vec<Serving>,
+}
+
+impl Place {
+    /// The place at geodetic `lat` and `lon`, radians, in the sea of `settings`.
+    pub fn new(settings: &Settings, tables: &SeaTables, lat: f64, lon: f64) -> Self {
+        let ecef_from_enu = earth::ecef_from_enu(lat, lon);
+        let enu_from_ecef = ecef_from_enu.transpose();
+        let foot = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
+        let cells = cells_near(lat, lon);
+        let from = settings.wind.from_deg.to_radians();
+        let serving = wave_domain::blend(&cells, foot).into_iter().map(|(cell, _)| {
+            let (x, y) = cell.axes(from);
+            let patch = |i: usize| tables.cascades.get(i).map_or(1.0, |cascade| cascade.patch_m);
+            Serving {
+                cell: *cell,
+                axes: [x, y],
+                level_axes: [x, y].map(|axis| (enu_from_ecef * axis).truncate()),
+                offsets: std::array::from_fn(|i| cell.offset(settings.seed, i as u32, patch(i))),
+            }
+        });
+        Self { foot, ecef_from_enu, serving: serving.collect(), cells }
+    }
+
+    /// The motion of the point at rest `rest` metres east and north. `tile` gives that of a cascade at its own coordinates, m.
+    fn motion(&self, rest: DVec2, mut tile: impl FnMut(usize, DVec2) -> Motion) -> Motion {
+        let point = self.foot + self.ecef_from_enu * rest.extend(0.0);
+        let weights = wave_domain::blend(&self.cells, point);
+        let mut sum = Motion::default();
+        for Serving { cell, axes: [x, y], level_axes, offsets } in &self.serving {
+            let Some(&(_, weight)) = weights.iter().find(|(found, _)| found.address == cell.address) else { continue };
+            let away = point - cell.centre;
+            let at = DVec2::new(away.dot(*x), away.dot(*y));
+            let mut own = Motion::default();
+            for (index, offset) in offsets.iter().enumerate() {
+                own += tile(index, at + *offset);
+            }
+            sum += own.turned(level_axes[0], level_axes[1], weight);
+        }
+        sum
+    }
+
+    /// The rest point, metres east and north, whose chop λ carries it to this place, and its motion: r + λD(r) = 0.
+    ///
+    /// First by substitution, which leaves the local stretch, some 0.3, of the error each time and does not mind that short
+    /// waves differ along the way; then by Newton's steps, which also converge where the crests are about to fold. Where they
+    /// have folded and several points are over the place, it is one of them.
+    pub fn invert(&self, chop: f64, mut tile: impl FnMut(usize, DVec2) -> Motion) -> (DVec2, Motion) {
+        const SUBSTITUTIONS: usize = 6;
+        const STEPS: usize = 30;
+        // A twentieth of a millimetre: nothing on a slope below 1.
+        const NEAR_M: f64 = 5e-5;
+        let mut rest = DVec2::ZERO;
+        let mut best = (f64::INFINITY, rest, Motion::default());
+        for step in 0..STEPS {
+            let motion = self.motion(rest, &mut tile);
+            let residual = rest + chop * motion.shift;
+            if residual.length() < best.0 {
+                best = (residual.length(), rest, motion);
+            }
+            if best.0 < NEAR_M {
+                break;
+            }
+            let gradient = motion.chop_gradient(chop);
+            rest -= if step < SUBSTITUTIONS || gradient.jacobian() < 0.1 {
+                residual
+            } else {
+                let r = DVec2::new(
+                    gradient.yy * residual.x - gradient.xy * residual.y,
+                    gradient.xx * residual.y - gradient.xy * residual.x,
+                );
+                r / gradient.jacobian()
+            };
+        }
+        (best.1, best.2)
+    }
+}
+
+/// Where a tile coordinate in metres falls between samples: the lower index, within one period of `n`, and the way to the next,
+/// 0 to 1. Sample i stands at i/n of `patch_m`.
+pub fn between_samples(at: f64, patch_m: f64, n: usize) -> (usize, f64) {
+    let x = at / patch_m * n as f64;
+    let low = x.floor();
+    ((low.rem_euclid(n as f64)) as usize % n, x - low)
+}

@@ -1,0 +1,99 @@
+//! The drawn surface of the sea at a place, measured on the CPU: for boats, buoys and everything else that floats.
+
+use glam::{DVec2, DVec3};
+
+use super::drawn_tiles::DrawnTiles;
+use super::moved_water::Place;
+use super::sea::SeaTables;
+use super::settings::Settings;
+use super::time::SceneTime;
+use super::view_state::ViewState;
+use crate::error::{Error, Result};
+use crate::model::waves;
+
+/// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal; as in `shaders/lib/waves.wgsl`.
+const LEAST_JACOBIAN: f64 = 0.25;
+
+/// The surface of the sea at a place and an instant.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct SurfaceSample {
+    /// Height over the ellipsoid, m.
+    pub height_m: f64,
+    /// Unit normal of the water: east, north, up.
+    pub normal_enu: [f64; 3],
+    /// How far the waves have carried the water that is now here from where it rests: east, north, up, m.
+    pub displacement_enu_m: [f64; 3],
+    /// Jacobian of the choppy displacement: area per area at rest, below 0 where a crest has folded.
+    pub jacobian: f64,
+}
+
+/// The share of the waves that water `depth_m` deep holds: random waves break at Hs = h/2.
+pub fn allowed_by_depth(depth_m: f64, hs_m: f64) -> f64 {
+    if hs_m > 0.0 { (0.5 * depth_m / hs_m).clamp(0.0, 1.0) } else { 1.0 }
+}
+
+/// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea).
+///
+/// These are the numbers that are drawn where the Perlin field has no weight, within 2 km of the eye: within a centimetre and
+/// 0.1°, except where a crest has folded over the place and there is more than one surface. The first sample of an instant
+/// transforms the tiles (some tenths of a second); further ones cost microseconds.
+pub fn sample_surface(settings: &Settings, lat: f64, lon: f64, unix_seconds: f64, depth_m: f64) -> SurfaceSample {
+    let tables = SeaTables::of(settings);
+    let allowed = allowed_by_depth(depth_m, tables.sea.hs_m);
+    if tables.sea.hs_m == 0.0 || allowed == 0.0 {
+        return SurfaceSample {
+            height_m: 0.0,
+            normal_enu: [0.0, 0.0, 1.0],
+            displacement_enu_m: [0.0; 3],
+            jacobian: 1.0,
+        };
+    }
+    let tiles = DrawnTiles::of(&tables, waves::ticks_from_unix(unix_seconds));
+    let place = Place::new(settings, &tables, lat, lon);
+    let chop = tables.sea.chop;
+    let (rest, motion) = place.invert(allowed * chop, |index, at| tiles.motion(index, at));
+    let gradient = motion.chop_gradient(chop);
+    let jacobian = gradient.jacobian();
+    let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)
+        * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
+    let height_m = allowed * (motion.height - tables.chop_level_m);
+    SurfaceSample {
+        height_m,
+        normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),
+        displacement_enu_m: [-rest.x, -rest.y, height_m],
+        jacobian,
+    }
+}
+
+/// The surface at a place of the open sea in degrees, in the sea of a link's fragment, at an ISO 8601 instant (`now`, or an empty
+/// text for the link's own; `now_s` is the clock's, UTC seconds since 1970).
+///
+/// # Errors
+/// [`Error::BadValue`] for a fragment, a place or an instant that is none.
+pub fn sample_link(fragment: &str, lng_deg: f64, lat_deg: f64, time: &str, now_s: f64) -> Result<SurfaceSample> {
+    let (state, complaints) = ViewState::parse_fragment(fragment, None);
+    if let Some(complaint) = complaints.into_iter().next() {
+        return Err(complaint);
+    }
+    if !lng_deg.is_finite() {
+        return Err(Error::bad_value("longitude", lng_deg, "give degrees east, e.g. -14.25"));
+    }
+    if !(-90.0..=90.0).contains(&lat_deg) {
+        return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
+    }
+    let instant = instant(&state, Some(time).filter(|time| !time.trim().is_empty()), now_s)?;
+    Ok(sample_surface(&state.settings, lat_deg.to_radians(), lng_deg.to_radians(), instant, f64::INFINITY))
+}
+
+/// The instant that a text asks for, else the state's, UTC seconds since 1970.
+///
+/// # Errors
+/// [`Error::BadValue`] for a text that is no instant.
+pub fn instant(state: &ViewState, time: Option<&str>, now_s: f64) -> Result<f64> {
+    let remedy = "write an instant as 2026-11-20T12:00:00Z, or now";
+    let time = match time {
+        Some(text) => SceneTime::parse(text).ok_or_else(|| Error::bad_value("time", text, remedy))?,
+        None => state.time,
+    };
+    Ok(time.unix_seconds(now_s))
+}
