@@ -11,8 +11,9 @@ build:  ## builds the page into dist/ and the native program, if anything has ch
 test:   ## sets up and runs every test: native, headless GPU, browser
 	@scripts/test.sh
 
-bench:  ## measures what a frame costs at every named view
-	@cargo run --release --locked -- bench
+bench:  ## measures the waves on CPU and GPU, then what a frame costs at every named view; tables, and JSON in target/bench
+	@cargo bench --locked --bench waves
+	@cargo run --release --locked -- bench -o target/bench/views.json
 
 bake:   ## makes the bundled world anew from its public sources
 	@scripts/make-world.sh

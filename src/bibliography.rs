@@ -144,3 +144,8 @@ pub enum Monahan1971 {}
 /// Callaghan, A., de Leeuw, G., Cohen, L. and O'Dowd, C. D. (2008), *Relationship of oceanic whitecap coverage to wind speed and wind
 /// history*, Geophys. Res. Lett. 35, L23609. <https://doi.org/10.1029/2008GL036165>
 pub enum Callaghan2008 {}
+
+/// Govindaraju, N. K., Lloyd, B., Dotsenko, Y., Smith, B. and Manferdelli, J. (2008), *High performance discrete Fourier transforms
+/// on graphics processors*, Proc. ACM/IEEE Conf. on Supercomputing (SC '08), 2: Stockham's transform with several elements per
+/// thread and exchanges through shared memory. <https://doi.org/10.1109/SC.2008.5213922>
+pub enum Govindaraju2008 {}

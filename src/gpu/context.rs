@@ -13,11 +13,12 @@ pub struct Gpu {
     pub adapter: String,
 }
 
-/// What is asked of any device: the WebGPU defaults, nothing more.
+/// What is asked of any device: the WebGPU defaults, and of what is beyond them only what the adapter has: filtering of 32-bit
+/// floats, and timestamps for measurements.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("ocean-globe"),
-        required_features: adapter.features() & wgpu::Features::FLOAT32_FILTERABLE,
+        required_features: adapter.features() & (wgpu::Features::FLOAT32_FILTERABLE | wgpu::Features::TIMESTAMP_QUERY),
         required_limits: wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d.clamp(8192, 16384),
             ..wgpu::Limits::default()

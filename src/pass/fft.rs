@@ -1,6 +1,8 @@
 //! The waves: spectrum in time, two-dimensional inverse FFT of eight fields for every cascade in two dispatches, mip levels.
 //!
-//! A dispatch takes all cascades whose intermediate values fit into one storage binding (128 MiB by default):
+//! Each workgroup transforms whole rows or columns, eight elements per thread in registers, after
+//! [Govindaraju et al.](crate::bibliography::Govindaraju2008). A dispatch takes all cascades whose intermediate values fit into
+//! one storage binding (128 MiB by default):
 //!
 //! ```text
 //!                  bytes per element   four cascades of 256² … 1024²   of 2048²
