@@ -18,8 +18,7 @@ fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
 }
 
 // Smaller eigenvalue of the chop's gradient, summed over the cascades, at a rest point; waves below the footprint left out.
-fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
-    let found = node_weights(p);
+fn smaller_eigenvalue(p: vec3f, found: NodeWeights, footprint: Metres) -> f32 {
     let texels = f32(textureDimensions(gradients).x);
     var sum = vec3f(0.0);
     for (var i = 0u; i < frame.node_count; i++) {
@@ -29,12 +28,12 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
         var own = vec3f(0.0);
         for (var c = 0u; c < frame.cascade_count; c++) {
             let length = frame.patches[c];
-            let fade = resolvable(footprint, length);
-            if fade <= 0.0 { continue; }
+            // A cascade's longest waves are a sixth of it: two footprints, of which the filter leaves next to nothing.
+            if length < 12.0 * footprint { continue; }
             let uv = tile_uv(local, i, c, texels);
             let lod = mip_for(footprint, length, texels);
             let stretch = textureSampleLevel(gradients, repeated, uv, c, lod).zw;
-            own += fade * vec3f(stretch, textureSampleLevel(moments, repeated, uv, c, lod).w);
+            own += vec3f(stretch, textureSampleLevel(moments, repeated, uv, c, lod).w);
         }
         sum += w * turned(own, nodes[i].axis_x.xy, nodes[i].axis_y.xy);
     }
@@ -47,6 +46,8 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
     let before = textureLoad(foam_map, slot, 0);
     let axis_x = nodes[0].axis_x;
     let axis_y = nodes[0].axis_y;
+    // The cells blend over kilometres: their weights at the eye serve the whole map.
+    let found = node_weights(vec3f(0.0, 0.0, -frame.eye_altitude));
     var after = vec4f(0.0);
     for (var level = 0u; level < FOAM_LEVELS; level++) {
         let square = frame.foam_levels[level];
@@ -66,7 +67,7 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
         if now.empty == 1u { foam = 0.0; }
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
-        let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
+        let breaking = clamp((square.threshold - smaller_eigenvalue(p, found, square.side)) / square.softness, 0.0, 1.0);
         after[level] = breaking + (foam - breaking) * select(now.keep, now.grow, breaking > foam);
     }
     textureStore(next, slot, after);

@@ -25,7 +25,7 @@ fn waves_are_pixels(distance: Metres) -> bool {
 fn projected(device: vec2f) -> vec3f {
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     // The surface over an eye under water lies where the mirrored eye above it looks.
-    if frame.eye_altitude < 0.0 { direction.z = -abs(direction.z); }
+    if frame.under_water == 1u { direction.z = -abs(direction.z); }
     let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var t = surface_hit(ray);

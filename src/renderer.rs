@@ -233,10 +233,9 @@ impl Renderer {
     /// Hands the frame to the GPU.
     fn upload(&mut self, frame: &Frame) {
         let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
-        let eye = frame.camera;
-        let in_sea = eye.altitude_m < 0.0
-            && self.world.sample_resident(eye.lat, eye.lon).is_some_and(|place| place.depth_m.is_some());
-        self.frame_group.upload(&self.gpu, frame, resolution, in_sea);
+        let (lat, lon) = (frame.camera.lat, frame.camera.lon);
+        let over_ocean = self.world.sample_resident(lat, lon).is_some_and(|place| place.depth_m.is_some());
+        self.frame_group.upload(&self.gpu, frame, resolution, over_ocean);
     }
 
     /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own. True when

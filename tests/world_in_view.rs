@@ -6,7 +6,7 @@ use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::data::tile::MapPoint;
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::frame::{Frame, Output};
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::tiles::visible_tiles;
 
@@ -53,7 +53,8 @@ fn the_eye_stays_over_the_ground_and_the_waves() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     let mut eye = |fragment: &str| {
         let state = render::parse_state(fragment).unwrap();
-        render::draw(&mut renderer, &state, [8, 8], Default::default()).unwrap();
+        // A measured layer: it needs no foam.
+        render::draw(&mut renderer, &state, [8, 8], Output::Class).unwrap();
         renderer.eye(&state, render::instant(&state)).altitude_m
     };
     let pole = eye("#view=-89.99,0,500,0,80");
@@ -88,4 +89,19 @@ fn a_picture_without_a_world_is_refused() {
     let error = render::picture(&mut renderer, &state, [16, 9]).unwrap_err().to_string();
     std::fs::remove_dir_all(&folder).unwrap();
     assert!(error.contains("terrain.pmtiles"), "{error}");
+}
+
+#[test]
+fn an_eye_that_rides_through_a_trough_sees_the_sky() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // The water stands 3.9 m below the ellipsoid here, the eye 2 m above it; then an eye 3 m deep.
+    let view = "view=35.6812,-14.25,2,235,84&ride=1&bft=12&time=2026-11-20T12:00:00Z";
+    for (view, above) in [(view.to_owned(), true), (view.replace(",2,235,84", ",-3,235,84"), false)] {
+        let state = render::parse_state(&format!("#{view}")).unwrap();
+        let eye = renderer.eye(&state, render::instant(&state));
+        assert!(eye.altitude_m < -1.0, "no trough: {}", eye.altitude_m);
+        let seen = render::measure(&mut renderer, &state, [16, 9], LayerName::Class).unwrap();
+        let sky = seen.values.iter().take(16).filter(|class| class.is_nan()).count();
+        assert_eq!(sky == 16, above, "{view}: {:?}", &seen.values[..16]);
+    }
 }

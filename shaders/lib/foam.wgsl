@@ -67,12 +67,12 @@ fn foam_noise(texels: vec2f, octave: i32) -> f32 {
 // Foam tears into lace and flecks: a share covers the points where a noise lies above it, so that the mean stays the share. The
 // noise's cells are a few pixels wide, or as wide as whitecaps are.
 fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
-    let blurred = smoothstep(10.0, 60.0, footprint);
+    let blurred = smoothstep(5.0, 25.0, footprint);
     if share < 0.003 || blurred >= 1.0 { return share; }
     let square = frame.foam_levels[0];
     // Flecks are longer across the wind, as crests are.
     let texels = square.fraction + at / square.side * vec2f(1.0, 0.5);
-    let scale = clamp(log2(2.5 * footprint / square.side), 0.0, 9.0);
+    let scale = clamp(log2(2.5 * footprint / square.side), 0.0, 6.0);
     let octave = i32(floor(scale));
     let fine = foam_noise(texels, octave - 1);
     let middle = foam_noise(texels, octave);
@@ -80,5 +80,7 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let noise = mix(0.45 * fine + 0.55 * middle, 0.45 * middle + 0.55 * coarse, scale - f32(octave));
     // The sum of two such noises, spread to about uniform again.
     let level = smoothstep(0.15, 0.85, noise);
-    return mix(smoothstep(1.0 - share - 0.25, 1.0 - share + 0.25, level), share, blurred);
+    // No softer than the share itself: the mean of this over a uniform level is the share.
+    let soft = min(0.25, min(share, 1.001 - share));
+    return mix(smoothstep(1.0 - share - soft, 1.0 - share + soft, level), share, blurred);
 }

@@ -168,7 +168,9 @@ pub fn draw(
     let shape = crate::gpu::texture::Shape::picture(size[0], size[1]);
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
-    renderer.settle(&frame);
+    if output == Output::Picture {
+        renderer.settle(&frame);
+    }
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     renderer.render(&mut encoder, &frame, &crate::gpu::texture::view(&target));
     gpu.queue.submit([encoder.finish()]);

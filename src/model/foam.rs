@@ -129,7 +129,8 @@ fn components(spectrum: &dyn DirectionalSpectrum, texels_m: &[f64]) -> Vec<Compo
     for (level, texel_m) in texels_m.iter().enumerate().rev() {
         let to = std::f64::consts::TAU / (TEXELS_PER_WAVE * texel_m);
         let bands = if waves.is_empty() { LOW_BANDS } else { BANDS };
-        if to <= from || from <= 0.0 {
+        // A level that does not hold the peak's waves well would see only what its filter lets through of them.
+        if from <= 0.0 || to < 2.0 * peak {
             continue;
         }
         let ratio = libm::pow(to / from, 1.0 / bands as f64);

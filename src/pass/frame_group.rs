@@ -54,11 +54,11 @@ impl FrameGroup {
     }
 
     /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, and
-    /// whether the eye is in the sea.
-    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, under_water: bool) {
+    /// whether there is ocean at the eye's place.
+    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, over_ocean: bool) {
         let uniform = FrameUniform {
             terrain_resolution: terrain_resolution_m as f32,
-            under_water: u32::from(under_water),
+            under_water: frame.uniform.under_water & u32::from(over_ocean),
             ..frame.uniform
         };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));

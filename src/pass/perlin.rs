@@ -65,13 +65,18 @@ pub struct Perlin {
 }
 
 impl Perlin {
-    /// The pass with a tile of [`TEXELS`] squared.
+    /// The pass with a tile of [`TEXELS`] squared, as it is drawn.
     pub fn new(gpu: &Gpu) -> Self {
+        Self::with_texels(gpu, TEXELS as u32)
+    }
+
+    /// The pass with a tile of `texels` squared, a multiple of [`SIDE`], for comparisons of cost: only [`TEXELS`] has the sea's slopes.
+    pub fn with_texels(gpu: &Gpu, texels: u32) -> Self {
         let write = Bind::Write(FORMAT, wgpu::TextureViewDimension::D2);
         let layout = gpu.layout("perlin", wgpu::ShaderStages::COMPUTE, &[Bind::Uniform, write]);
         let [pipeline] = gpu.compute("perlin", &source(), &[&layout], ["octaves"]);
         let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;
-        let texture = gpu.texture("perlin", Shape::array(TEXELS as u32, 1, TEXELS.ilog2() - 1), FORMAT, usage);
+        let texture = gpu.texture("perlin", Shape::array(texels, 1, texels.ilog2() - 1), FORMAT, usage);
         let mips = MipChain::new(gpu, &texture, "rgba16float");
         let buffer_usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let settings = gpu.empty_buffer("perlin", buffer_usage, size_of::<PerlinSettings>() as u64);
@@ -90,7 +95,8 @@ impl Perlin {
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
-        pass.dispatch_workgroups(TEXELS as u32 / SIDE, TEXELS as u32 / SIDE, 1);
+        let groups = self.texture.width() / SIDE;
+        pass.dispatch_workgroups(groups, groups, 1);
     }
 
     /// One dispatch per mip level.

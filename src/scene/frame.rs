@@ -8,6 +8,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 use super::camera::{Camera, FIELD_OF_VIEW_Y};
 use super::foam::{self, FoamEye, Whitecaps};
 use super::layers::Layer;
+use super::ride::surface_height;
 use super::sea::SeaTables;
 use super::settings::{FoamRule, Settings};
 use super::wave_domain::{self, Cell, MAX_NODES};
@@ -170,6 +171,11 @@ impl Frame {
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
         let (nodes, foam_eye) = wave_nodes(&mut uniform, settings, camera, &sea);
+        // In a trough the eye may be below the ellipsoid and over the water.
+        let lowest_m = -1.2 * sea.sea.hs_m;
+        let below = camera.altitude_m < 0.0
+            && (camera.altitude_m < lowest_m || camera.altitude_m < surface_height(settings, camera, unix_seconds));
+        uniform.under_water = u32::from(below);
         let whitecaps = Whitecaps::of(settings, &sea);
         let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
         Self { camera: *camera, size, unix_seconds, sea, foam_eye, whitecaps, foam_lifetime_s, uniform, nodes }
