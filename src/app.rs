@@ -215,6 +215,7 @@ impl eframe::App for App {
         let pixels_per_point = f64::from(context.pixels_per_point());
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height())) * pixels_per_point;
         let (unix_seconds, moving) = self.advance(ui, &response, size, seconds);
+        self.renderer.set_moving(moving);
         self.draw(unix_seconds, [size.x.round() as u32, size.y.round() as u32]);
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, self.picture.callback()));
 

@@ -28,8 +28,8 @@ use std::sync::Arc;
 
 /// Format of the target that [`Renderer::render`] draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// Steps of a foam replay that a frame of a moving picture may take: the rest follows in the next frames.
-const REPLAY_STEPS: usize = 2;
+/// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
+const REPLAY_STEPS: [usize; 2] = [2, 13];
 const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// What the scene's radiance is stored in.
@@ -99,6 +99,7 @@ pub struct Renderer {
     sea: Option<Arc<SeaTables>>,
     whitecaps: Option<Whitecaps>,
     foam_complete: bool,
+    moving: bool,
     visible: Vec<TileId>,
     complete: bool,
 }
@@ -153,6 +154,7 @@ impl Renderer {
             sea: None,
             whitecaps: None,
             foam_complete: true,
+            moving: false,
             visible: Vec::new(),
             complete: false,
             gpu,
@@ -180,7 +182,7 @@ impl Renderer {
         self.fit(frame.size);
         self.take_sea(frame);
         self.upload(frame);
-        let foam_step = self.replay_foam(frame, REPLAY_STEPS);
+        let foam_step = self.replay_foam(frame, REPLAY_STEPS[usize::from(!self.moving)]);
         let Some(targets) = &self.targets else { return };
         self.fft.set_time(&self.gpu, frame.ticks());
         self.perlin.prepare(&self.gpu, frame);
@@ -327,6 +329,11 @@ impl Renderer {
     /// Whether more tiles are on their way, or the foam's history is being replayed, so that another frame would look different.
     pub fn needs_redraw(&self) -> bool {
         !self.complete || self.is_replaying()
+    }
+
+    /// Tells whether the next frames follow each other: a moving picture must not wait for its foam.
+    pub fn set_moving(&mut self, moving: bool) {
+        self.moving = moving;
     }
 
     /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.

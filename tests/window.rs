@@ -197,6 +197,8 @@ fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
     while !alone.load(&frame) || alone.world_mut().pending() > 0 {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
+    // The window has replayed the foam's history over several frames.
+    alone.settle(&frame);
     let own = target(&window.host.device, TARGET_FORMAT, size);
     let mut encoder = window.host.device.create_command_encoder(&Default::default());
     alone.render(&mut encoder, &frame, &own.create_view(&Default::default()));
