@@ -29,11 +29,13 @@ pub struct SeaTables {
     pub perlin: Octaves,
 }
 
-/// Samples along a side of a wave tile.
+/// Samples along a side of a wave tile. All have the same tiles; from 256 on finer ones add shorter waves and change no other.
 pub fn tile_samples(quality: Quality) -> usize {
     match quality {
         Quality::Low => 128,
-        _ => 256,
+        Quality::Auto | Quality::Medium => 256,
+        Quality::High => 512,
+        Quality::Ultra => 1024,
     }
 }
 
