@@ -62,13 +62,13 @@ impl Whitecaps {
     /// The whitecaps of a sea. [`Foam::amount`] scales the share that is measured at sea
     /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)).
     pub fn new(foam: Foam, sea: &SeaTables) -> Self {
-        let sea = &sea.sea;
+        let (sea, tiles) = (&sea.sea, &sea.cascades);
         let share =
             if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
         let folds = if foam.rule == FoamRule::Height {
             [Fold::NEVER; LEVELS]
         } else {
-            foam::folds(&sea.spectrum(), sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
+            foam::folds(&sea.spectrum(), tiles, sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
         };
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
