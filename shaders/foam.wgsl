@@ -3,14 +3,19 @@
 
 struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
-    grow: f32,                 // exp(-dt / growth time)
-    keep: f32,                 // exp(-dt / lifetime)
+    grow: vec4f,               // exp(-dt / growth time), by level; 1 where the level stays as it is
+    keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
-    unused: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 @group(2) @binding(0) var<uniform> now: FoamStep;
 @group(2) @binding(1) var next: texture_storage_2d<FORMAT, write>;
+
+// A cascade's longest waves are a sixth of it: two footprints, of which the filter leaves next to nothing.
+const SHORTEST_TILE_TEXELS: f32 = 12.0;
 
 // The texel of the world that is kept in a slot while the eye is in texel `eye`.
 fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
@@ -28,8 +33,7 @@ fn smaller_eigenvalue(p: vec3f, found: NodeWeights, footprint: Metres) -> f32 {
         var own = vec3f(0.0);
         for (var c = 0u; c < frame.cascade_count; c++) {
             let length = frame.patches[c];
-            // A cascade's longest waves are a sixth of it: two footprints, of which the filter leaves next to nothing.
-            if length < 12.0 * footprint { continue; }
+            if length < SHORTEST_TILE_TEXELS * footprint { continue; }
             let uv = tile_uv(local, i, c, texels);
             let lod = mip_for(footprint, length, texels);
             let stretch = textureSampleLevel(gradients, repeated, uv, c, lod).zw;
@@ -65,10 +69,14 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
             foam = select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
         }
         if now.empty == 1u { foam = 0.0; }
+        if now.keep[level] == 1.0 && now.grow[level] == 1.0 {
+            after[level] = foam;
+            continue;
+        }
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
         let breaking = clamp((square.threshold - smaller_eigenvalue(p, found, square.side)) / square.softness, 0.0, 1.0);
-        after[level] = breaking + (foam - breaking) * select(now.keep, now.grow, breaking > foam);
+        after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
     }
     textureStore(next, slot, after);
 }

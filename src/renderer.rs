@@ -264,7 +264,7 @@ impl Renderer {
             {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
                 self.fft.dispatch(&mut pass);
-                self.fft.dispatch_mips(&mut pass);
+                self.fft.dispatch_gradient_mips(&mut pass);
                 let surface = &self.surface_groups[self.foam.current()];
                 self.foam.dispatch(&mut pass, &self.frame_group.group, surface);
             }

@@ -151,7 +151,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         frame::FoamLevel,
         [texel, fraction, side, threshold, softness, unused]
     );
-    assert_mirror!(foam::source(), "FoamStep", foam::FoamStep, [previous, grow, keep, empty, unused]);
+    assert_mirror!(foam::source(), "FoamStep", foam::FoamStep, [previous, grow, keep, empty, unused_a, unused_b, unused_c]);
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",
@@ -191,6 +191,8 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);
     assert_eq!(constant(&ocean, "FOAM_LEVELS"), scene_foam::LEVELS as f64);
     assert_eq!(constant(&ocean, "FOAM_TEXELS"), f64::from(scene_foam::TEXELS));
+    let shortest = ocean_globe::model::foam::SHORTEST_TILE_TEXELS;
+    assert_eq!(constant(&foam::source(), "SHORTEST_TILE_TEXELS"), shortest);
     assert_eq!(constant(&ocean, "NEAR"), f64::from(frame::NEAR_M as f32));
     let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
     assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));

@@ -12,10 +12,19 @@ const REACH: u32 = 16;
 /// The dispatches that make every mip level of some square texture arrays of one size from their first.
 pub struct MipChain {
     pipeline: wgpu::ComputePipeline,
-    /// For each dispatch its bindings and its workgroups along a side. Those of all textures come before the next levels, so
-    /// that the device waits for finished levels once per four levels and not once per texture.
-    steps: Vec<(wgpu::BindGroup, u32)>,
+    /// Those of all textures come before the next levels, so that the device waits for finished levels once per four levels and
+    /// not once per texture.
+    steps: Vec<Step>,
     layers: u32,
+}
+
+/// One dispatch.
+struct Step {
+    /// Which texture of the chain it is for.
+    texture: usize,
+    group: wgpu::BindGroup,
+    /// Workgroups along a side.
+    groups: u32,
 }
 
 /// The composed shader for a storage format by its WGSL name.
@@ -46,7 +55,7 @@ impl MipChain {
         let last = like.mip_level_count() - 1;
         let mut steps = Vec::new();
         for from in (0..last).step_by(LEVELS as usize) {
-            for texture in textures {
+            for (index, texture) in textures.iter().enumerate() {
                 let views = (from..=from + LEVELS).map(|level| match level.checked_sub(last + 1) {
                     None => texture::mip_view(texture, level),
                     Some(beyond) => unwanted[beyond as usize].clone(),
@@ -54,7 +63,7 @@ impl MipChain {
                 let views: Vec<_> = views.collect();
                 let resources: Vec<_> = views.iter().map(wgpu::BindingResource::TextureView).collect();
                 let groups = (texture.width() >> from).div_ceil(REACH);
-                steps.push((gpu.bind("mips", &layout, &resources), groups));
+                steps.push(Step { texture: index, group: gpu.bind("mips", &layout, &resources), groups });
             }
         }
         Self { pipeline, steps, layers: like.depth_or_array_layers() }
@@ -62,10 +71,15 @@ impl MipChain {
 
     /// One dispatch per four levels of each texture.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
+        self.dispatch_from(pass, 0);
+    }
+
+    /// As [`MipChain::dispatch`], without the first `left_out` textures.
+    pub fn dispatch_from(&self, pass: &mut wgpu::ComputePass, left_out: usize) {
         pass.set_pipeline(&self.pipeline);
-        for (group, groups) in &self.steps {
-            pass.set_bind_group(0, group, &[]);
-            pass.dispatch_workgroups(*groups, *groups, self.layers);
+        for step in self.steps.iter().filter(|step| step.texture >= left_out) {
+            pass.set_bind_group(0, &step.group, &[]);
+            pass.dispatch_workgroups(step.groups, step.groups, self.layers);
         }
     }
 

@@ -9,28 +9,28 @@
 //! Linear waves fold too often in a gale and hardly ever in a breeze, and the more so the finer the grid: the measured whitecap
 //! fraction fixes the threshold instead. The mean of F over the water's area has no closed form (it needs the durations of
 //! excursions of an eigenvalue), so [`folds`] simulates ∇D at many independent rest points, from the sea's own
-//! spectrum, and bisects. Each level of the foam map sees waves longer than a few of its texels alone and has a threshold of its
-//! own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
+//! spectrum, and bisects. Each level of the foam map sees what the filters of its textures leave of the waves ([`kept`]) and has a
+//! threshold of its own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
 //! quantile of μ alone (the lifetime multiplies it by three in a gale and by ten in a breeze).
 
-use super::{dispersion, noise, spectrum::DirectionalSpectrum};
+use super::{cascade::Cascade, dispersion, noise, spectrum::DirectionalSpectrum};
 
 /// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
 pub const LIFETIME_S: f64 = 3.85;
 /// Time in which a breaking crest turns white to 1 − 1/e, s.
 pub const GROWTH_S: f64 = 0.25;
-/// Waves longer than this many texels move a level of the foam map: where a texel's mean and bilinear interpolation leave
-/// sinc³(ks/2) = 0.7 of a wave.
-pub const TEXELS_PER_WAVE: f64 = 3.7;
-
 /// Independent rest points.
-const POINTS: usize = 1024;
+const POINTS: usize = 2048;
 /// Instants of each and the time between them, s.
 const INSTANTS: usize = 64;
 const STEP_S: f64 = 0.15;
-/// Bands of wave numbers, below the coarsest level's shortest wave and in each level after it.
-const LOW_BANDS: usize = 6;
-const BANDS: usize = 3;
+/// Bands of wave numbers, from below the peak to [`SHORTEST_TEXELS`] of the finest level.
+const BANDS: usize = 15;
+/// Waves of fewer texels than this move no level.
+const SHORTEST_TEXELS: f64 = 1.5;
+/// A tile shorter than so many texels moves a level by next to nothing: its longest waves are a sixth of it. Equals
+/// `SHORTEST_TILE_TEXELS` in `shaders/foam.wgsl`.
+pub const SHORTEST_TILE_TEXELS: f64 = 12.0;
 /// Directions off the wind, radians.
 const DIRECTIONS: [f64; 4] = [-0.95, -0.3, 0.3, 0.95];
 
@@ -79,29 +79,54 @@ pub fn ramp_start(share: f64) -> f64 {
 }
 
 /// One wave of the simulation: ∇D per unit of its random amplitude, and its frequency.
-struct Component {
+struct Component<const N: usize> {
     gradient: [f64; 3],
     omega: f64,
-    level: usize,
+    /// What each level sees of it.
+    kept: [f64; N],
+}
+
+/// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its tile's textures: it reads the two mip
+/// levels on either side of its own size, each the means of blocks of samples, and interpolates between their texels. Equals
+/// what `smaller_eigenvalue` in `shaders/foam.wgsl` does.
+pub fn kept(tile: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
+    let step = tile.patch_m / tile.n as f64;
+    let lod = libm::log2((texel_m / step).max(1.0)).min(f64::from(tile.n.ilog2()) - 2.0);
+    let at_mip = |mip: f64| {
+        let block = libm::exp2(mip);
+        let along = |k: f64| {
+            let half = 0.5 * k * step;
+            let mean = if half.abs() < 1e-9 { 1.0 } else { libm::sin(half * block) / (block * libm::sin(half)) };
+            // A linear interpolation at any place between two values whose phases differ by 2·half·block.
+            mean * libm::sqrt((2.0 + libm::cos(2.0 * half * block)) / 3.0)
+        };
+        along(kx) * along(ky)
+    };
+    if tile.patch_m < SHORTEST_TILE_TEXELS * texel_m {
+        return 0.0;
+    }
+    let part = lod - libm::floor(lod);
+    (1.0 - part) * at_mip(libm::floor(lod)) + part * at_mip(libm::floor(lod) + 1.0)
 }
 
 /// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
-/// (0…1) for a lifetime in seconds. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for
+/// (0…1) for a lifetime in seconds; `tiles` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for
 /// it gets [`Fold::NEVER`].
 pub fn folds<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
+    tiles: &[Cascade],
     chop: f64,
     texels_m: [f64; N],
     softness: [f64; N],
     wanted: f64,
     lifetime_s: f64,
 ) -> [Fold; N] {
-    let waves = components(spectrum, &texels_m);
+    let waves = components(spectrum, tiles, texels_m);
     let mut folds = [Fold::NEVER; N];
     if wanted <= 0.0 {
         return folds;
     }
-    let mut series = vec![Vec::with_capacity(POINTS * INSTANTS); N];
+    let mut series: [Vec<(f32, f32)>; N] = std::array::from_fn(|_| Vec::with_capacity(POINTS * INSTANTS));
     (0..POINTS).for_each(|point| simulate(point, &waves, chop, &mut series));
     for ((fold, series), softness) in folds.iter_mut().zip(&series).zip(softness) {
         let lowest = series.iter().map(|(mu, _)| *mu).fold(0.0f32, f32::min);
@@ -122,42 +147,42 @@ pub fn folds<const N: usize>(
 }
 
 /// Waves that carry the energy of the spectrum in bands of wave number and direction.
-fn components(spectrum: &dyn DirectionalSpectrum, texels_m: &[f64]) -> Vec<Component> {
-    let peak = spectrum.peak_wavenumber();
+fn components<const N: usize>(
+    spectrum: &dyn DirectionalSpectrum,
+    tiles: &[Cascade],
+    texels_m: [f64; N],
+) -> Vec<Component<N>> {
+    let finest_m = texels_m.iter().copied().fold(f64::INFINITY, f64::min);
+    let from = 0.3 * spectrum.peak_wavenumber();
+    let to = std::f64::consts::TAU / (SHORTEST_TEXELS * finest_m);
     let mut waves = Vec::new();
-    let mut from = 0.3 * peak;
-    for (level, texel_m) in texels_m.iter().enumerate().rev() {
-        let to = std::f64::consts::TAU / (TEXELS_PER_WAVE * texel_m);
-        let bands = if waves.is_empty() { LOW_BANDS } else { BANDS };
-        // A level that does not hold the peak's waves well would see only what its filter lets through of them.
-        if from <= 0.0 || to < 2.0 * peak {
-            continue;
+    if from <= 0.0 || to <= from {
+        return waves;
+    }
+    let ratio = libm::pow(to / from, 1.0 / BANDS as f64);
+    for band in 0..BANDS {
+        let k0 = from * libm::pow(ratio, band as f64);
+        let k = k0 * libm::sqrt(ratio);
+        let Some(tile) = tiles.iter().find(|tile| k < tile.k_max) else { break };
+        let energy = spectrum.omnidirectional(k) * k0 * (ratio - 1.0);
+        let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
+        let total: f64 = density.iter().sum();
+        for (angle, density) in DIRECTIONS.iter().zip(density).filter(|_| total > 0.0) {
+            let (sin, cos) = libm::sincos(*angle);
+            // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
+            let slope = k * libm::sqrt(energy * density / total);
+            waves.push(Component {
+                gradient: [-slope * cos * cos, -slope * sin * sin, -slope * sin * cos],
+                omega: dispersion::omega_deep(k),
+                kept: texels_m.map(|texel_m| kept(tile, texel_m, k * cos, k * sin)),
+            });
         }
-        let ratio = libm::pow(to / from, 1.0 / bands as f64);
-        for band in 0..bands {
-            let k0 = from * libm::pow(ratio, band as f64);
-            let k = k0 * libm::sqrt(ratio);
-            let energy = spectrum.omnidirectional(k) * k0 * (ratio - 1.0);
-            let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
-            let total: f64 = density.iter().sum();
-            for (angle, density) in DIRECTIONS.iter().zip(density).filter(|_| total > 0.0) {
-                let (sin, cos) = libm::sincos(*angle);
-                // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
-                let slope = k * libm::sqrt(energy * density / total);
-                waves.push(Component {
-                    gradient: [-slope * cos * cos, -slope * sin * sin, -slope * sin * cos],
-                    omega: dispersion::omega_deep(k),
-                    level,
-                });
-            }
-        }
-        from = to;
     }
     waves
 }
 
 /// Appends (μ, J) of every level at the instants of one rest point.
-fn simulate(point: usize, waves: &[Component], chop: f64, series: &mut [Vec<(f32, f32)>]) {
+fn simulate<const N: usize>(point: usize, waves: &[Component<N>], chop: f64, series: &mut [Vec<(f32, f32)>; N]) {
     // Amplitudes are complex Gaussian, so that the tails are those of a Gaussian sea; each turns on by a fixed angle.
     let mut turning: Vec<_> = waves
         .iter()
@@ -171,20 +196,20 @@ fn simulate(point: usize, waves: &[Component], chop: f64, series: &mut [Vec<(f32
         })
         .collect();
     for _ in 0..INSTANTS {
-        let mut sum = [0.0; 3];
-        let mut waves = waves.iter().zip(&mut turning).peekable();
-        for level in (0..series.len()).rev() {
-            while let Some((wave, (z, turn))) = waves.next_if(|(wave, _)| wave.level == level) {
-                for (sum, gradient) in sum.iter_mut().zip(wave.gradient) {
-                    *sum += gradient * z[0];
-                }
-                *z = [z[0] * turn[0] - z[1] * turn[1], z[0] * turn[1] + z[1] * turn[0]];
+        let mut sums = [[0.0; 3]; N];
+        for (wave, (z, turn)) in waves.iter().zip(&mut turning) {
+            let [xx, yy, xy] = wave.gradient.map(|gradient| gradient * z[0]);
+            for (sum, kept) in sums.iter_mut().zip(wave.kept) {
+                *sum = [sum[0] + kept * xx, sum[1] + kept * yy, sum[2] + kept * xy];
             }
+            *z = [z[0] * turn[0] - z[1] * turn[1], z[0] * turn[1] + z[1] * turn[0]];
+        }
+        for (series, sum) in series.iter_mut().zip(sums) {
             let [xx, yy, xy] = sum;
             let half = 0.5 * (xx - yy);
             let mu = 0.5 * (xx + yy) - (half * half + xy * xy).sqrt();
             let j = (1.0 + chop * xx) * (1.0 + chop * yy) - chop * chop * xy * xy;
-            series[level].push((mu as f32, j.max(0.0) as f32));
+            series.push((mu as f32, j.max(0.0) as f32));
         }
     }
 }

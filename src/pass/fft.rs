@@ -237,6 +237,11 @@ impl Fft {
         self.mips.dispatch(pass);
     }
 
+    /// The mip levels of gradients and moments alone: what foam is made from.
+    pub fn dispatch_gradient_mips(&self, pass: &mut wgpu::ComputePass) {
+        self.mips.dispatch_from(pass, 1);
+    }
+
     /// Dispatches of one [`Fft::dispatch_mips`].
     pub fn mip_dispatches(&self) -> usize {
         self.mips.dispatches()

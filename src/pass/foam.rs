@@ -7,7 +7,7 @@ use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::model::foam::GROWTH_S;
 use crate::model::waves::TICKS_PER_SECOND;
-use crate::scene::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M, replay_next, replay_span, replay_start};
+use crate::scene::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M, replay_next, replay_span, replay_start, replay_stride};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Texels along a side of a workgroup.
@@ -21,10 +21,12 @@ const SHORTEST_STEP_S: f64 = 1.0 / 120.0;
 #[expect(missing_docs, reason = "documented where the shader declares them")]
 pub struct FoamStep {
     pub previous: [[i32; 4]; LEVELS],
-    pub grow: f32,
-    pub keep: f32,
+    pub grow: [f32; LEVELS],
+    pub keep: [f32; LEVELS],
     pub empty: u32,
-    pub unused: u32,
+    pub unused_a: u32,
+    pub unused_b: u32,
+    pub unused_c: u32,
 }
 
 /// The composed shader.
@@ -32,10 +34,11 @@ pub fn source() -> String {
     shader::composed(&include_str!("../../shaders/foam.wgsl").replace("FORMAT", "rgba16float"), "")
 }
 
-/// Up to when the map is right, and where the eye was then.
+/// Up to when the map and each of its squares are right, and where the eye was then.
 #[derive(Clone, Copy)]
 struct State {
     ticks: u64,
+    levels: [u64; LEVELS],
     eye: FoamEye,
     empty: bool,
 }
@@ -52,6 +55,8 @@ pub struct Foam {
     pub textures: [wgpu::Texture; 2],
     current: usize,
     state: Option<State>,
+    /// Where the replay leads, if there is one.
+    goal: Option<u64>,
 }
 
 impl Foam {
@@ -69,7 +74,7 @@ impl Foam {
         let groups = [1, 0].map(|to: usize| {
             gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
         });
-        Self { pipeline, step, groups, maps, textures, current: 0, state: None }
+        Self { pipeline, step, groups, maps, textures, current: 0, state: None, goal: None }
     }
 
     /// Which of [`Foam::maps`] is the present one.
@@ -89,11 +94,13 @@ impl Foam {
             let age = ticks.wrapping_sub(state.ticks);
             // Half of the widest square: nothing that the map knows would be left in the finer ones.
             let near = state.eye.at.distance(eye.at) < 0.25 * f64::from(TEXELS) * TEXELS_M[LEVELS - 1];
-            age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near
+            let fine = state.eye.finest <= eye.finest;
+            age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near && fine
         };
+        self.goal = Some(ticks);
         let Some(state) = self.state.filter(usable) else {
             let ticks = replay_start(ticks, lifetime_s);
-            self.state = Some(State { ticks, eye: *eye, empty: true });
+            self.state = Some(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true });
             return Some(ticks);
         };
         let age = ticks.wrapping_sub(state.ticks);
@@ -110,21 +117,28 @@ impl Foam {
 
     /// Sets what the next [`Foam::dispatch`] does: brings the map to `ticks` with the eye at `eye`.
     pub fn prepare(&mut self, gpu: &Gpu, ticks: u64, eye: &FoamEye, lifetime_s: f64) {
-        let last = self.state.unwrap_or(State { ticks, eye: *eye, empty: true });
-        let dt_s = ticks.wrapping_sub(last.ticks) as f64 / TICKS_PER_SECOND;
+        let last = self.state.unwrap_or(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true });
+        let on_the_way = self.goal.is_some_and(|goal| goal != ticks) && !last.empty;
+        let due: [bool; LEVELS] = std::array::from_fn(|level| {
+            level >= eye.finest && (!on_the_way || ticks.is_multiple_of(replay_stride(level, lifetime_s)))
+        });
+        let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level]) as f64 / TICKS_PER_SECOND;
+        // A square that is not due stays as it is.
+        let rate = |tau_s: f64| std::array::from_fn(|l| if due[l] { (-dt_s(l) / tau_s).exp() as f32 } else { 1.0 });
         let step = FoamStep {
             previous: std::array::from_fn(|level| {
                 let ([x, y], _) = last.eye.texel(level);
                 [x, y, 0, 0]
             }),
             // The first instant of a replay has no time before it: crests that break then count as white.
-            grow: if last.empty { 0.0 } else { (-dt_s / GROWTH_S).exp() as f32 },
-            keep: (-dt_s / lifetime_s).exp() as f32,
+            grow: if last.empty { [0.0; LEVELS] } else { rate(GROWTH_S) },
+            keep: rate(lifetime_s),
             empty: u32::from(last.empty),
-            unused: 0,
+            ..FoamStep::default()
         };
         gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(&step));
-        self.state = Some(State { ticks, eye: *eye, empty: false });
+        let levels = std::array::from_fn(|level| if due[level] || last.empty { ticks } else { last.levels[level] });
+        self.state = Some(State { ticks, levels, eye: *eye, empty: false });
     }
 
     /// One dispatch; `surface` must hold the present map. Afterwards the other map is the present one.

@@ -62,13 +62,13 @@ impl Whitecaps {
     /// The whitecaps of a sea. [`Foam::amount`] scales the share that is measured at sea
     /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)).
     pub fn new(foam: Foam, sea: &SeaTables) -> Self {
-        let sea = &sea.sea;
+        let (sea, tiles) = (&sea.sea, &sea.cascades);
         let share =
             if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
         let folds = if foam.rule == FoamRule::Height {
             [Fold::NEVER; LEVELS]
         } else {
-            foam::folds(&sea.spectrum(), sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
+            foam::folds(&sea.spectrum(), tiles, sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
         };
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
@@ -83,6 +83,8 @@ pub struct FoamEye {
     pub frame: ([i32; 3], u64),
     /// The eye in it, metres.
     pub at: DVec2,
+    /// The first level that the picture shows: from high up the finest are smaller than pixels.
+    pub finest: usize,
 }
 
 impl FoamEye {
@@ -99,6 +101,18 @@ impl FoamEye {
 fn replay_steps(lifetime_s: f64) -> [u64; 3] {
     let late = (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round().exp2() as u64;
     [late, 2 * late, 4 * late]
+}
+
+/// A level is brought up to date at multiples of so many ticks on the way of a replay: coarse ones hold long waves alone, which take
+/// their time.
+pub fn replay_stride(level: usize, lifetime_s: f64) -> u64 {
+    replay_steps(lifetime_s)[level.saturating_sub(1).min(2)]
+}
+
+/// The first level that an eye whose nearest water has pixels `footprint_m` wide needs; [`foam_share`](../../shaders/lib/foam.wgsl)
+/// reads no level whose texels are narrower than 1 / 2.5 of that.
+pub fn finest_level(footprint_m: f64) -> usize {
+    TEXELS_M.iter().position(|side| footprint_m < 2.5 * side).unwrap_or(LEVELS - 1)
 }
 
 /// How far back a replay to an instant goes, ticks.

@@ -1,0 +1,228 @@
+//! The water as the drawing shaders have it, at places that a test asks for.
+
+#![allow(dead_code, reason = "no test asks for all of it")]
+
+use std::sync::Arc;
+
+use ocean_globe::gpu::pipeline::Bind;
+use ocean_globe::gpu::texture;
+use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::waves::{self, Cascade};
+use ocean_globe::pass::fft::{Fft, Precision, WaveData};
+use ocean_globe::pass::perlin::Perlin;
+use ocean_globe::scene::camera::Camera;
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::wave_domain;
+
+const KERNEL: &str = "#import waves
+@group(2) @binding(0) var<storage, read> places: array<vec4f>;   // east and north of the eye, distance for the mix, footprint; metres
+@group(2) @binding(1) var<storage, read_write> found: array<vec4f>;
+@compute @workgroup_size(64)
+fn drawn(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&places) { return; }
+    let place = places[id.x];
+    let p = vec3f(place.xy, -frame.eye_altitude);
+    let slopes = slopes_at(p, place.z, place.w);
+    let ax = nodes[0].axis_x.xy;
+    let ay = nodes[0].axis_y.xy;
+    found[2u * id.x] = vec4f(displacement_at(p, place.z, place.w).z, 0.0, 0.0, 0.0);
+    found[2u * id.x + 1u] = vec4f(dot(slopes.slope, ax), dot(slopes.slope, ay), slopes.rough);
+}";
+
+/// Height of the water, m; slopes along the wind and across it; their variances that the footprint hides.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn {
+    pub height: f64,
+    pub slope: [f64; 2],
+    pub rough: [f64; 2],
+}
+
+/// How textures are read: as for a picture, or at the sample next to a place.
+#[derive(Clone, Copy, Debug)]
+pub enum Filter {
+    Linear,
+    Nearest,
+}
+
+/// Energies and frequencies of a sea's tiles, so that another seed costs its random numbers alone.
+pub struct Waves {
+    pub tiles: Vec<Cascade>,
+    pub energies: Vec<Vec<f64>>,
+    pub omegas: Vec<Vec<f64>>,
+}
+
+impl Waves {
+    pub fn of(tables: &SeaTables) -> Self {
+        let (tiles, spectrum) = (tables.cascades.clone(), tables.sea.spectrum());
+        let energies = tiles.iter().map(|tile| waves::cell_energies(&spectrum, tile)).collect();
+        let omegas = tiles.iter().map(|tile| tables.frequencies(tile)).collect();
+        Self { tiles, energies, omegas }
+    }
+
+    pub fn data(&self, seed: u32) -> WaveData {
+        let mut data = WaveData::default();
+        for (index, tile) in self.tiles.iter().enumerate() {
+            data.push(&waves::amplitudes(&self.energies[index], seed, index, tile), &self.omegas[index]);
+        }
+        data
+    }
+}
+
+/// A frame of a chopless sea whose eye is over the middle of a wave cell, where no other cell has a share.
+pub fn frame(settings: &Settings, unix_seconds: f64) -> Frame {
+    let cell = wave_domain::cells_near(0.6, -0.5)[0];
+    let camera = Camera::from_degrees(cell.lat.to_degrees(), cell.lon.to_degrees(), 3.0, 0.0, 0.0);
+    Frame::new(settings, &camera, unix_seconds, [64, 64])
+}
+
+/// The same frame with the noise of another seed at another instant.
+pub fn reseeded(frame: &Frame, seed: u32, unix_seconds: f64) -> Frame {
+    let mut tables = SeaTables::clone(&frame.sea);
+    tables.sea.seed = seed;
+    Frame { sea: Arc::new(tables), unix_seconds, ..frame.clone() }
+}
+
+/// The passes that make the water, and a kernel that asks for it.
+pub struct Water {
+    pub gpu: Gpu,
+    pub fft: Fft,
+    pub perlin: Perlin,
+    layouts: [wgpu::BindGroupLayout; 3],
+    pipeline: wgpu::ComputePipeline,
+}
+
+impl Water {
+    /// Tiles of `n` samples; `edited` may change the drawing shaders' text.
+    pub fn new(n: usize, precision: Precision, edited: impl Fn(String) -> String) -> Self {
+        use wgpu::TextureViewDimension::*;
+        let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
+        let stages = wgpu::ShaderStages::COMPUTE;
+        let layouts = [
+            gpu.layout("frame", stages, &[Bind::Uniform, Bind::Uniform, Bind::Sampler, Bind::Sampler]),
+            gpu.layout("surface", stages, &[D2Array, D2Array, D2Array, D2].map(Bind::Texture)),
+            gpu.layout("places", stages, &[Bind::Storage, Bind::StorageWrite]),
+        ];
+        let source = edited(shader::composed(KERNEL, ""));
+        let [pipeline] = gpu.compute("drawn", &source, &layouts.each_ref(), ["drawn"]);
+        let fft = Fft::new(&gpu, n, waves::CASCADES, precision);
+        let perlin = Perlin::new(&gpu);
+        Self { gpu, fft, perlin, layouts, pipeline }
+    }
+
+    /// Runs the waves at an instant.
+    pub fn set_waves(&mut self, tiles: &[Cascade], data: &WaveData, ticks: u64) {
+        self.fft.set_waves(&self.gpu, tiles, data);
+        self.fft.set_time(&self.gpu, ticks);
+        self.run(|water, pass| {
+            water.fft.dispatch(pass);
+            water.fft.dispatch_mips(pass);
+        });
+    }
+
+    /// Runs the far sea of a frame.
+    pub fn set_noise(&mut self, frame: &Frame) {
+        self.perlin.prepare(&self.gpu, frame);
+        self.run(|water, pass| {
+            water.perlin.dispatch(pass);
+            water.perlin.dispatch_mips(pass);
+        });
+    }
+
+    fn run(&self, work: impl Fn(&Self, &mut wgpu::ComputePass)) {
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        work(self, &mut encoder.begin_compute_pass(&Default::default()));
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// The water at places (east and north of the eye, distance, footprint; metres).
+    pub fn at(&self, frame: &Frame, places: &[[f32; 4]], filter: Filter) -> Vec<Drawn> {
+        use wgpu::BufferUsages as B;
+        let gpu = &self.gpu;
+        let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+        let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
+        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
+        let repeated = match filter {
+            Filter::Linear => gpu.sampler("repeated", wgpu::AddressMode::Repeat),
+            Filter::Nearest => gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+                address_mode_u: wgpu::AddressMode::Repeat,
+                address_mode_v: wgpu::AddressMode::Repeat,
+                ..Default::default()
+            }),
+        };
+        let tiles = [&self.fft.displacements, &self.fft.gradients, &self.fft.moments].map(texture::array_view);
+        let noise = texture::view(&self.perlin.texture);
+        let input = gpu.buffer("places", B::STORAGE, bytemuck::cast_slice(places));
+        let size = places.len() as u64 * 32;
+        let output = gpu.empty_buffer("found", B::STORAGE | B::COPY_SRC, size);
+        let copy = gpu.empty_buffer("found", B::MAP_READ | B::COPY_DST, size);
+        let bind =
+            |index: usize, resources: &[wgpu::BindingResource]| gpu.bind("drawn", &self.layouts[index], resources);
+        let view = wgpu::BindingResource::TextureView;
+        let groups = [
+            bind(
+                0,
+                &[
+                    uniform.as_entire_binding(),
+                    nodes.as_entire_binding(),
+                    wgpu::BindingResource::Sampler(&clamped),
+                    wgpu::BindingResource::Sampler(&repeated),
+                ],
+            ),
+            bind(1, &[view(&tiles[0]), view(&tiles[1]), view(&tiles[2]), view(&noise)]),
+            bind(2, &[input.as_entire_binding(), output.as_entire_binding()]),
+        ];
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            pass.set_pipeline(&self.pipeline);
+            for (index, group) in (0..).zip(&groups) {
+                pass.set_bind_group(index, group, &[]);
+            }
+            pass.dispatch_workgroups((places.len() as u32).div_ceil(64), 1, 1);
+        }
+        encoder.copy_buffer_to_buffer(&output, 0, &copy, 0, size);
+        gpu.queue.submit([encoder.finish()]);
+        let bytes = gpu.read_buffer(&copy).unwrap();
+        let drawn = |bytes: &[u8]| {
+            let [height, _, _, _, x, y, rx, ry] = bytemuck::pod_read_unaligned::<[f32; 8]>(bytes).map(f64::from);
+            Drawn { height, slope: [x, y], rough: [rx, ry] }
+        };
+        bytes.chunks_exact(32).map(drawn).collect()
+    }
+}
+
+/// Place `index` of a plane-filling sequence in a square of `side_m`, m: the multiples of 1/ρ and 1/ρ², ρ³ = ρ + 1.
+pub fn place(index: usize, side_m: f64) -> [f64; 2] {
+    [0.754_877_666_246_692_7, 0.569_840_290_998_053_2].map(|step| (index as f64 * step).fract() * side_m)
+}
+
+/// A mean with its standard error, from one value for each realisation.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Ensemble {
+    count: f64,
+    sum: f64,
+    squares: f64,
+}
+
+impl Ensemble {
+    pub fn push(&mut self, value: f64) {
+        self.count += 1.0;
+        self.sum += value;
+        self.squares += value * value;
+    }
+
+    pub fn mean(&self) -> f64 {
+        self.sum / self.count
+    }
+
+    pub fn error(&self) -> f64 {
+        ((self.squares / self.count - self.mean().powi(2)).max(0.0) / (self.count - 1.0)).sqrt()
+    }
+
+    /// How many independent Gaussian numbers tell their variance as sharply as this tells its mean: 2 (mean/error)².
+    pub fn independent_samples(&self) -> f64 {
+        2.0 * (self.mean() / self.error()).powi(2)
+    }
+}
