@@ -17,8 +17,8 @@ struct Evolution {
 @group(0) @binding(3) var<storage, read> twiddles: array<vec2f>;        // exp(2 pi i n / N), from f64
 @group(0) @binding(4) var<storage, read_write> halfway: array<vec4u>;   // one per element, two of 32-bit floats
 @group(0) @binding(5) var displacements: texture_storage_2d_array<FORMAT, write>;
-@group(0) @binding(6) var gradients: texture_storage_2d_array<FORMAT, write>;
-@group(0) @binding(7) var moments: texture_storage_2d_array<FORMAT, write>;
+@group(0) @binding(6) var slopes: texture_storage_2d_array<FORMAT, write>;
+@group(0) @binding(7) var stretches: texture_storage_2d_array<FORMAT, write>;
 
 #import exchange_FIELDS
 #import stockham
@@ -109,8 +109,8 @@ fn unpacked(a: u32, b: u32) -> vec4f { return vec4f(unpack2x16float(a), unpack2x
 
 fn put(at: vec2u, cascade: u32, displacement: vec4f, gradient: vec4f) {
     textureStore(displacements, at, cascade, displacement);
-    textureStore(gradients, at, cascade, gradient);
-    textureStore(moments, at, cascade, vec4f(gradient.xy * gradient.xy, gradient.x * gradient.y, displacement.w));
+    textureStore(slopes, at, cascade, vec4f(gradient.xy, gradient.xy * gradient.xy));
+    textureStore(stretches, at, cascade, vec4f(gradient.zw, displacement.w, gradient.x * gradient.y));
 }
 
 @compute @workgroup_size(THREADS)

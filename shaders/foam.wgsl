@@ -24,7 +24,7 @@ fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
 
 // Smaller eigenvalue of the chop's gradient, summed over the cascades, at a rest point; waves below the footprint left out.
 fn smaller_eigenvalue(p: vec3f, found: NodeWeights, footprint: Metres) -> f32 {
-    let texels = f32(textureDimensions(gradients).x);
+    let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
     for (var i = 0u; i < frame.node_count; i++) {
         let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
@@ -36,8 +36,7 @@ fn smaller_eigenvalue(p: vec3f, found: NodeWeights, footprint: Metres) -> f32 {
             if length < SHORTEST_TILE_TEXELS * footprint { continue; }
             let uv = tile_uv(local, i, c, texels);
             let lod = mip_for(footprint, length, texels);
-            let stretch = textureSampleLevel(gradients, repeated, uv, c, lod).zw;
-            own += vec3f(stretch, textureSampleLevel(moments, repeated, uv, c, lod).w);
+            own += textureSampleLevel(stretches, repeated, uv, c, lod).xyz;
         }
         sum += w * turned(own, nodes[i].axis_x.xy, nodes[i].axis_y.xy);
     }

@@ -264,7 +264,7 @@ impl Renderer {
             {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
                 self.fft.dispatch(&mut pass);
-                self.fft.dispatch_gradient_mips(&mut pass);
+                self.fft.dispatch_stretch_mips(&mut pass);
                 let surface = &self.surface_groups[self.foam.current()];
                 self.foam.dispatch(&mut pass, &self.frame_group.group, surface);
             }
@@ -364,8 +364,8 @@ fn surface_groups(
     foam.maps.each_ref().map(|map| {
         let views = [
             texture::array_view(&fft.displacements),
-            texture::array_view(&fft.gradients),
-            texture::array_view(&fft.moments),
+            texture::array_view(&fft.slopes),
+            texture::array_view(&fft.stretches),
             texture::view(&perlin.texture),
             map.clone(),
             sky.radiance.clone(),

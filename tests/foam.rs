@@ -103,7 +103,7 @@ impl Sea {
             ],
         );
         let surfaces = foam.maps.each_ref().map(|map| {
-            let waves = [&self.fft.displacements, &self.fft.gradients, &self.fft.moments].map(texture::array_view);
+            let waves = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
             // No noise is read: its place is taken by the map itself.
             let views = [&waves[0], &waves[1], &waves[2], map, map].map(wgpu::BindingResource::TextureView);
             gpu.bind("surface", &self.layouts[1], &views)

@@ -56,8 +56,9 @@ fn floats(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, mip: u32) -> Vec<f32> 
 
 /// The eight fields of one cascade: Dx, Dy, h, Dxy, hx, hy, Dxx, Dyy.
 fn fields_of(gpu: &Gpu, fft: &Fft, layer: u32) -> [Vec<f64>; 8] {
-    let both = [&fft.displacements, &fft.gradients].map(|texture| floats(gpu, texture, layer, 0));
-    std::array::from_fn(|field| both[field / 4].iter().skip(field % 4).step_by(4).map(|&x| f64::from(x)).collect())
+    let all = [&fft.displacements, &fft.slopes, &fft.stretches].map(|texture| floats(gpu, texture, layer, 0));
+    let places = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (2, 0), (2, 1)];
+    places.map(|(texture, channel)| all[texture].iter().skip(channel).step_by(4).map(|&x| f64::from(x)).collect())
 }
 
 /// The eight fields of every cascade, from 32-bit targets.
@@ -149,25 +150,26 @@ fn a_whole_sea_agrees_with_the_model_decades_from_now() {
 }
 
 #[test]
-fn moments_are_products_of_the_gradients_and_mips_are_plain_means() {
+fn squares_are_of_the_slopes_and_mips_are_plain_means() {
     let gpu = gpu();
     let n = 128;
     let tables = SeaTables::new(Sea::from_wind(10.0, 3, 1.0), n);
     let fft = dispatched(&gpu, &tables.cascades, &WaveData::of(&tables), 1 << 40, Precision::Single);
     for layer in 0..tables.cascades.len() as u32 {
-        let gradients = floats(&gpu, &fft.gradients, layer, 0);
-        let moments = floats(&gpu, &fft.moments, layer, 0);
+        let slopes = floats(&gpu, &fft.slopes, layer, 0);
+        let stretches = floats(&gpu, &fft.stretches, layer, 0);
         let displacements = floats(&gpu, &fft.displacements, layer, 0);
-        for ((g, m), d) in gradients.chunks(4).zip(moments.chunks(4)).zip(displacements.chunks(4)) {
-            let want = [g[0] * g[0], g[1] * g[1], g[0] * g[1], d[3]];
+        for ((s, g), d) in slopes.chunks(4).zip(stretches.chunks(4)).zip(displacements.chunks(4)) {
+            let found = [s[2], s[3], g[3], g[2]];
+            let want = [s[0] * s[0], s[1] * s[1], s[0] * s[1], d[3]];
             // One rounding of a product: 2^-22 of the value.
             let close = |(a, b): (&f32, &f32)| (a - b).abs() <= b.abs() * 2f32.powi(-22);
-            assert!(m.iter().zip(&want).all(close), "{m:?} {want:?}");
+            assert!(found.iter().zip(&want).all(close), "{found:?} {want:?}");
         }
     }
     // Five levels of three textures: four at a time, then one.
     assert_eq!(fft.mip_dispatches(), 6);
-    for texture in [&fft.displacements, &fft.gradients, &fft.moments] {
+    for texture in [&fft.displacements, &fft.slopes, &fft.stretches] {
         assert_eq!(texture.mip_level_count(), n.ilog2() - 1);
         let first = floats(&gpu, texture, 1, 0);
         let rms = (first.iter().map(|x| f64::from(x * x)).sum::<f64>() / first.len() as f64).sqrt();

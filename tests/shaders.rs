@@ -151,7 +151,12 @@ fn structs_have_the_same_members_at_the_same_places() {
         frame::FoamLevel,
         [texel, fraction, side, threshold, softness, unused]
     );
-    assert_mirror!(foam::source(), "FoamStep", foam::FoamStep, [previous, grow, keep, empty, unused_a, unused_b, unused_c]);
+    assert_mirror!(
+        foam::source(),
+        "FoamStep",
+        foam::FoamStep,
+        [previous, grow, keep, empty, unused_a, unused_b, unused_c]
+    );
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",

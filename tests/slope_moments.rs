@@ -16,14 +16,14 @@ fn blown(speed_mps: f64) -> Settings {
     Settings { wind: Wind { speed_mps, from_deg: 250.0 }, chop: 0.0, ..Settings::default() }
 }
 
-/// The first two channels of one layer of one mip level.
-fn pairs(water: &Water, texture: &wgpu::Texture, layer: u32, mip: u32) -> Vec<[f64; 2]> {
+/// The first two and the last two channels of one layer of one mip level.
+fn pairs(water: &Water, texture: &wgpu::Texture, layer: u32, mip: u32) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     let bytes = water.gpu.read_texture(texture, layer, mip).unwrap();
     let pair = |texel: &[u8]| {
-        let [x, y, _, _] = bytemuck::pod_read_unaligned::<[f32; 4]>(texel);
-        [x, y].map(f64::from)
+        let [x, y, z, w] = bytemuck::pod_read_unaligned::<[f32; 4]>(texel).map(f64::from);
+        ([x, y], [z, w])
     };
-    bytes.chunks_exact(16).map(pair).collect()
+    bytes.chunks_exact(16).map(pair).unzip()
 }
 
 /// Slope variance that the means over 2^mip by 2^mip samples keep of the waves of a tile, along the wind and across it.
@@ -47,7 +47,7 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
     let sea = frame(&blown(11.0), NOON);
     let tables = SeaTables::new(sea.sea.sea, N);
     let waves_of_sea = Waves::of(&tables);
-    let mips = water.fft.gradients.mip_level_count();
+    let mips = water.fft.slopes.mip_level_count();
     // [mip][axis]: resolved and unresolved of all tiles, in the mean.
     let mut found = vec![[[Ensemble::default(); 2]; 2]; mips as usize];
     for seed in 0..SEEDS {
@@ -56,8 +56,7 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
         for layer in 0..waves::CASCADES as u32 {
             let mut whole = [0.0; 2];
             for mip in 0..mips {
-                let slopes = pairs(&water, &water.fft.gradients, layer, mip);
-                let squares = pairs(&water, &water.fft.moments, layer, mip);
+                let (slopes, squares) = pairs(&water, &water.fft.slopes, layer, mip);
                 let count = slopes.len() as f64;
                 for axis in 0..2 {
                     let resolved = slopes.iter().map(|s| s[axis] * s[axis]).sum::<f64>() / count;

@@ -55,7 +55,7 @@ fn drawn(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])
     let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
     let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
     let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
-    let tiles = [&fft.displacements, &fft.gradients, &fft.moments].map(texture::array_view);
+    let tiles = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
     let views = [tiles[0].clone(), tiles[1].clone(), tiles[2].clone(), texture::view(&perlin)];
     let list: Vec<[f32; 4]> = points.iter().map(|p| p.as_vec3().extend(0.0).to_array()).collect();
     let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(&list));

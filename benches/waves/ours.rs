@@ -48,8 +48,9 @@ pub fn verify_gpu(gpu: &Gpu, n: usize) {
     submit(gpu, &|pass| fft.dispatch(pass));
     let want = model(n);
     let wanted = [
-        (&fft.displacements, [&want.dx, &want.dy, &want.eta, &want.dx_y]),
-        (&fft.gradients, [&want.eta_x, &want.eta_y, &want.dx_x, &want.dy_y]),
+        (&fft.displacements, vec![&want.dx, &want.dy, &want.eta, &want.dx_y]),
+        (&fft.slopes, vec![&want.eta_x, &want.eta_y]),
+        (&fft.stretches, vec![&want.dx_x, &want.dy_y, &want.dx_y]),
     ];
     for (texture, fields) in wanted {
         let bytes = gpu.read_texture(texture, 0, 0).expect("the device answers");

@@ -1,11 +1,11 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
 #import ellipsoid
 
-// displacements: (Dx, Dy, height, dDx/dy); gradients: (dh/dx, dh/dy, dDx/dx, dDy/dy); moments: (hx hx, hy hy, hx hy, dDx/dy);
+// displacements: (Dx, Dy, height, dDx/dy); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, hx hy);
 // one layer per cascade.
 @group(1) @binding(0) var displacements: texture_2d_array<f32>;
-@group(1) @binding(1) var gradients: texture_2d_array<f32>;
-@group(1) @binding(2) var moments: texture_2d_array<f32>;
+@group(1) @binding(1) var slopes: texture_2d_array<f32>;
+@group(1) @binding(2) var stretches: texture_2d_array<f32>;
 @group(1) @binding(3) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, hx hx + hy hy)
 
 const BLEND_WIDTH: Metres = 9000.0;
@@ -125,9 +125,9 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
     if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
     let found = node_weights(p);
-    let texels = f32(textureDimensions(gradients).x);
+    let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
-    var stretch = vec3f(0.0);     // gradient of the chop in east-north axes
+    var gradient = vec3f(0.0);    // of the chop, in east-north axes
     var rough = vec2f(0.0);
     for (var i = 0u; i < frame.node_count; i++) {
         let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
@@ -137,8 +137,8 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
         var own = vec2f(0.0);
         if weights.x > 0.0 {
-            var g = vec4f(0.0);
-            var mixed = 0.0;
+            var tilt = vec2f(0.0);
+            var stretch = vec3f(0.0);
             var hidden = frame.below_slopes;
             for (var c = 0u; c < frame.cascade_count; c++) {
                 let length = frame.patches[c];
@@ -149,14 +149,14 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
                 }
                 let uv = tile_uv(local, i, c, texels);
                 let lod = mip_for(footprint, length, texels);
-                let here = fade * textureSampleLevel(gradients, repeated, uv, c, lod);
-                let squares = textureSampleLevel(moments, repeated, uv, c, lod);
-                g += here;
-                mixed += fade * squares.w;
-                hidden += max(squares.xy - here.xy * here.xy, vec2f(0.0));
+                let means = textureSampleLevel(slopes, repeated, uv, c, lod);
+                let here = fade * means.xy;
+                tilt += here;
+                stretch += fade * textureSampleLevel(stretches, repeated, uv, c, lod).xyz;
+                hidden += max(means.zw - here * here, vec2f(0.0));
             }
-            own += weights.x * g.xy;
-            stretch += turned(w * weights.x * frame.chop * vec3f(g.zw, mixed), ax, ay);
+            own += weights.x * tilt;
+            gradient += turned(w * weights.x * frame.chop * stretch, ax, ay);
             rough += w * w * weights.x * weights.x * hidden;
         }
         if weights.y > 0.0 {
@@ -175,9 +175,9 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         slope += w * (own.x * ax + own.y * ay);
     }
     // slope = (I + grad D)^-T grad eta, so that the chop steepens the crests.
-    let jxx = 1.0 + stretch.x;
-    let jyy = 1.0 + stretch.y;
-    let fold = jxx * jyy - stretch.z * stretch.z;
-    let true_slope = vec2f(jyy * slope.x - stretch.z * slope.y, jxx * slope.y - stretch.z * slope.x) / max(fold, 0.25);
+    let jxx = 1.0 + gradient.x;
+    let jyy = 1.0 + gradient.y;
+    let fold = jxx * jyy - gradient.z * gradient.z;
+    let true_slope = vec2f(jyy * slope.x - gradient.z * slope.y, jxx * slope.y - gradient.z * slope.x) / max(fold, 0.25);
     return Slopes(true_slope, rough, fold);
 }

@@ -112,10 +112,10 @@ pub struct Fft {
     scales: Vec<[[f32; 4]; 2]>,
     /// (Dx, Dy, height, dDx/dy) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
-    /// (dh/dx, dh/dy, dDx/dx, dDy/dy).
-    pub gradients: wgpu::Texture,
-    /// ((dh/dx)², (dh/dy)², dh/dx · dh/dy, (dDx/dx + dDy/dy)²): the means in its mip levels are what a pixel cannot resolve.
-    pub moments: wgpu::Texture,
+    /// (dh/dx, dh/dy, (dh/dx)², (dh/dy)²): the squares' means in its mip levels hold what a pixel cannot resolve.
+    pub slopes: wgpu::Texture,
+    /// (dDx/dx, dDy/dy, dDx/dy, dh/dx · dh/dy).
+    pub stretches: wgpu::Texture,
 }
 
 impl Fft {
@@ -125,7 +125,7 @@ impl Fft {
         let (format, name) = precision.format();
         let shape = Shape::array(n as u32, layers as u32, n.ilog2() - 1);
         let make = |label| gpu.texture(label, shape, format, T::STORAGE_BINDING | T::COPY_SRC);
-        let [displacements, gradients, moments] = ["displacements", "gradients", "moments"].map(make);
+        let [displacements, slopes, stretches] = ["displacements", "slopes", "stretches"].map(make);
         let write = Bind::Write(format, D2Array);
         let compute = wgpu::ShaderStages::COMPUTE;
         let binds =
@@ -150,7 +150,7 @@ impl Fft {
                     size,
                 })
             };
-            let [d, g, m] = [&displacements, &gradients, &moments].map(|t| texture::layers_view(t, &tiles));
+            let [d, g, m] = [&displacements, &slopes, &stretches].map(|t| texture::layers_view(t, &tiles));
             let resources = [
                 evolution.as_entire_binding(),
                 part(&amplitudes),
@@ -165,7 +165,7 @@ impl Fft {
             Batch { tiles, evolution, group }
         };
         let batches = batches.into_iter().map(batch).collect();
-        let mips = MipChain::of(gpu, &[&displacements, &gradients, &moments], name);
+        let mips = MipChain::of(gpu, &[&displacements, &slopes, &stretches], name);
         let (cascades, scales) = (Vec::new(), Vec::new());
         Self {
             n,
@@ -178,8 +178,8 @@ impl Fft {
             cascades,
             scales,
             displacements,
-            gradients,
-            moments,
+            slopes,
+            stretches,
         }
     }
 
@@ -237,9 +237,9 @@ impl Fft {
         self.mips.dispatch(pass);
     }
 
-    /// The mip levels of gradients and moments alone: what foam is made from.
-    pub fn dispatch_gradient_mips(&self, pass: &mut wgpu::ComputePass) {
-        self.mips.dispatch_from(pass, 1);
+    /// The mip levels of [`Fft::stretches`] alone: what foam is made from.
+    pub fn dispatch_stretch_mips(&self, pass: &mut wgpu::ComputePass) {
+        self.mips.dispatch_from(pass, 2);
     }
 
     /// Dispatches of one [`Fft::dispatch_mips`].

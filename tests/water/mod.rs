@@ -151,7 +151,7 @@ impl Water {
                 ..Default::default()
             }),
         };
-        let tiles = [&self.fft.displacements, &self.fft.gradients, &self.fft.moments].map(texture::array_view);
+        let tiles = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
         let noise = texture::view(&self.perlin.texture);
         let input = gpu.buffer("places", B::STORAGE, bytemuck::cast_slice(places));
         let size = places.len() as u64 * 32;
