@@ -29,7 +29,7 @@ use std::sync::Arc;
 /// Format of the target that [`Renderer::render`] draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Steps of a foam replay that a frame of a moving picture may take: the rest follows in the next frames.
-const REPLAY_STEPS: usize = 2;
+const REPLAY_STEPS: usize = 4;
 const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// What the scene's radiance is stored in.

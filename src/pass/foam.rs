@@ -38,6 +38,8 @@ struct State {
     ticks: u64,
     eye: FoamEye,
     empty: bool,
+    /// On its way through the past: then no step may be longer than the replay's.
+    replaying: bool,
 }
 
 /// The pass and its two maps, of which one is read while the other is written.
@@ -93,7 +95,7 @@ impl Foam {
         };
         let Some(state) = self.state.filter(usable) else {
             let ticks = replay_start(ticks, lifetime_s);
-            self.state = Some(State { ticks, eye: *eye, empty: true });
+            self.state = Some(State { ticks, eye: *eye, empty: true, replaying: true });
             return Some(ticks);
         };
         let age = ticks.wrapping_sub(state.ticks);
@@ -105,12 +107,16 @@ impl Foam {
         if seconds < SHORTEST_STEP_S && (age == 0 || state.eye == *eye) {
             return (state.eye != *eye).then_some(ticks);
         }
-        Some(if seconds <= 0.5 * lifetime_s { ticks } else { replay_next(state.ticks, ticks, lifetime_s) })
+        // A picture that follows the last one late, on a slow machine, is a step all the same.
+        let straight = !state.replaying && seconds <= 0.5 * lifetime_s;
+        let next = if straight { ticks } else { replay_next(state.ticks, ticks, lifetime_s) };
+        self.state = Some(State { replaying: next != ticks, ..state });
+        Some(next)
     }
 
     /// Sets what the next [`Foam::dispatch`] does: brings the map to `ticks` with the eye at `eye`.
     pub fn prepare(&mut self, gpu: &Gpu, ticks: u64, eye: &FoamEye, lifetime_s: f64) {
-        let last = self.state.unwrap_or(State { ticks, eye: *eye, empty: true });
+        let last = self.state.unwrap_or(State { ticks, eye: *eye, empty: true, replaying: false });
         let dt_s = ticks.wrapping_sub(last.ticks) as f64 / TICKS_PER_SECOND;
         let step = FoamStep {
             previous: std::array::from_fn(|level| {
@@ -124,7 +130,7 @@ impl Foam {
             unused: 0,
         };
         gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(&step));
-        self.state = Some(State { ticks, eye: *eye, empty: false });
+        self.state = Some(State { ticks, eye: *eye, empty: false, ..last });
     }
 
     /// One dispatch; `surface` must hold the present map. Afterwards the other map is the present one.
