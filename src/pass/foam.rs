@@ -41,6 +41,8 @@ struct State {
     levels: [u64; LEVELS],
     eye: FoamEye,
     empty: bool,
+    /// On its way through the past: then no step may be longer than the replay's.
+    replaying: bool,
 }
 
 /// The pass and its two maps, of which one is read while the other is written.
@@ -55,8 +57,6 @@ pub struct Foam {
     pub textures: [wgpu::Texture; 2],
     current: usize,
     state: Option<State>,
-    /// Where the replay leads, if there is one.
-    goal: Option<u64>,
 }
 
 impl Foam {
@@ -74,7 +74,7 @@ impl Foam {
         let groups = [1, 0].map(|to: usize| {
             gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
         });
-        Self { pipeline, step, groups, maps, textures, current: 0, state: None, goal: None }
+        Self { pipeline, step, groups, maps, textures, current: 0, state: None }
     }
 
     /// Which of [`Foam::maps`] is the present one.
@@ -97,10 +97,9 @@ impl Foam {
             let fine = state.eye.finest <= eye.finest;
             age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near && fine
         };
-        self.goal = Some(ticks);
         let Some(state) = self.state.filter(usable) else {
             let ticks = replay_start(ticks, lifetime_s);
-            self.state = Some(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true });
+            self.state = Some(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true, replaying: true });
             return Some(ticks);
         };
         let age = ticks.wrapping_sub(state.ticks);
@@ -112,13 +111,18 @@ impl Foam {
         if seconds < SHORTEST_STEP_S && (age == 0 || state.eye == *eye) {
             return (state.eye != *eye).then_some(ticks);
         }
-        Some(if seconds <= 0.5 * lifetime_s { ticks } else { replay_next(state.ticks, ticks, lifetime_s) })
+        // A picture that follows the last one late, on a slow machine, is a step all the same.
+        let straight = !state.replaying && seconds <= 0.5 * lifetime_s;
+        let next = if straight { ticks } else { replay_next(state.ticks, ticks, lifetime_s) };
+        self.state = Some(State { replaying: next != ticks, ..state });
+        Some(next)
     }
 
     /// Sets what the next [`Foam::dispatch`] does: brings the map to `ticks` with the eye at `eye`.
     pub fn prepare(&mut self, gpu: &Gpu, ticks: u64, eye: &FoamEye, lifetime_s: f64) {
-        let last = self.state.unwrap_or(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true });
-        let on_the_way = self.goal.is_some_and(|goal| goal != ticks) && !last.empty;
+        let fresh = State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true, replaying: false };
+        let last = self.state.unwrap_or(fresh);
+        let on_the_way = last.replaying && !last.empty;
         let due: [bool; LEVELS] = std::array::from_fn(|level| {
             level >= eye.finest && (!on_the_way || ticks.is_multiple_of(replay_stride(level, lifetime_s)))
         });
@@ -138,7 +142,7 @@ impl Foam {
         };
         gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(&step));
         let levels = std::array::from_fn(|level| if due[level] || last.empty { ticks } else { last.levels[level] });
-        self.state = Some(State { ticks, levels, eye: *eye, empty: false });
+        self.state = Some(State { ticks, levels, eye: *eye, empty: false, ..last });
     }
 
     /// One dispatch; `surface` must hold the present map. Afterwards the other map is the present one.

@@ -97,7 +97,8 @@ impl FoamEye {
 }
 
 /// Distance of a replay's instants late, in the middle and early in it, ticks: powers of two, so that they lie at the same instants
-/// of UTC for everyone. A quarter of a second late in it, for a lifetime of 3.5 s.
+/// of UTC for everyone. A quarter of a second late in it, for a lifetime of 3.5 s: a crest that breaks for less than that is caught by
+/// chance, and the share that it covers is right in the mean.
 fn replay_steps(lifetime_s: f64) -> [u64; 3] {
     let late = (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round().exp2() as u64;
     [late, 2 * late, 4 * late]
