@@ -6,7 +6,7 @@
 struct Evolution {
     ticks: vec2u,              // low and high word of the time in 2^-20 s
     cascade_count: u32,
-    unused: u32,
+    sharpened: u32,            // 1: heights and displacements make up for linear interpolation
     patches: vec4f,            // metres
     scales: array<vec4f, 8>,   // two per cascade, in the order of the textures: bring each field to about unit size halfway
 }
@@ -64,6 +64,11 @@ fn wavenumber(i: u32) -> f32 {
     return f32(select(i32(i), i32(i) - i32(N), i >= N / 2u));
 }
 
+// What linear interpolation between samples takes from the mean square of a wave, as a factor; see src/model/surface.rs.
+fn gain(i: u32) -> f32 {
+    return select(1.0, inverseSqrt((2.0 + twiddles[i].x) / 3.0), evolution.sharpened == 1u);
+}
+
 @compute @workgroup_size(THREADS)
 fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) group: vec3u) {
     let line = thread / SPAN;
@@ -72,6 +77,7 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
     let base = group.y * N * N;
     let dk = TURN / evolution.patches[group.y];
     let ky = wavenumber(row) * dk;
+    let row_gain = gain(row);
     let d = evolution.scales[2u * group.y];
     let g = evolution.scales[2u * group.y + 1u];
     var ab: array<vec4f, 8>;
@@ -89,7 +95,8 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
 #unroll 8    let kx_$ = wavenumber(at + $u * SPAN) * dk;
 #unroll 8    let u_$ = vec2f(kx_$, ky) / max(length(vec2f(kx_$, ky)), 1e-9);
     // (Dx, Dy), (h, dDx/dy), (dh/dx, dh/dy), (dDx/dx, dDy/dy): the second of a pair is multiplied by i.
-#unroll 8    ab[$] = vec4f(times(vec2f(-d.y * u_$.y, d.x * u_$.x), h_$), times(vec2f(d.z, -d.w * kx_$ * u_$.y), h_$));
+#unroll 8    let s_$ = row_gain * gain(at + $u * SPAN);
+#unroll 8    ab[$] = vec4f(times(vec2f(-d.y * u_$.y, d.x * u_$.x) * s_$, h_$), times(vec2f(d.z * s_$, -d.w * kx_$ * u_$.y), h_$));
 #unroll 8    cd[$] = vec4f(times(vec2f(-g.y * ky, g.x * kx_$), h_$), times(vec2f(-g.z * kx_$ * u_$.x, -g.w * ky * u_$.y), h_$));
     inverse(&ab, &cd, line, at);
     let to = base + row * N + at;

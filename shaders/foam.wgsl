@@ -6,16 +6,16 @@ struct FoamStep {
     grow: vec4f,               // exp(-dt / growth time), by level; 1 where the level stays as it is
     keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
+    cells: u32,                // wave cells that serve the map, the first of all
     unused_a: u32,
     unused_b: u32,
-    unused_c: u32,
 }
 
 @group(2) @binding(0) var<uniform> now: FoamStep;
 @group(2) @binding(1) var next: texture_storage_2d<FORMAT, write>;
 
-// A cascade's longest waves are a sixth of it: two footprints, of which the filter leaves next to nothing.
-const SHORTEST_TILE_TEXELS: f32 = 12.0;
+// A cascade's longest waves are a sixth of it: under two footprints, of which the filter leaves next to nothing.
+const SHORTEST_TILE_TEXELS: f32 = 10.0;
 
 // The texel of the world that is kept in a slot while the eye is in texel `eye`.
 fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
@@ -23,10 +23,11 @@ fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
 }
 
 // Smaller eigenvalue of the chop's gradient, summed over the cascades, at a rest point; waves below the footprint left out.
-fn smaller_eigenvalue(p: vec3f, found: NodeWeights, footprint: Metres) -> f32 {
+fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
+    let found = weights_of_first(p, now.cells);
     let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.node_count; i++) {
+    for (var i = 0u; i < now.cells; i++) {
         let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
         if w <= 0.0 { continue; }
         let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
@@ -49,8 +50,6 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
     let before = textureLoad(foam_map, slot, 0);
     let axis_x = nodes[0].axis_x;
     let axis_y = nodes[0].axis_y;
-    // The cells blend over kilometres: their weights at the eye serve the whole map.
-    let found = node_weights(vec3f(0.0, 0.0, -frame.eye_altitude));
     var after = vec4f(0.0);
     for (var level = 0u; level < FOAM_LEVELS; level++) {
         let square = frame.foam_levels[level];
@@ -74,7 +73,7 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
         }
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
-        let breaking = clamp((square.threshold - smaller_eigenvalue(p, found, square.side)) / square.softness, 0.0, 1.0);
+        let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
         after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
     }
     textureStore(next, slot, after);

@@ -129,7 +129,7 @@ impl Renderer {
         let frame_group = FrameGroup::new(&gpu, &atlases, pages);
         let frame = &frame_group.layout;
         let sky_table = SkyTable::new(&gpu, frame);
-        let fft = Fft::new(&gpu, 256, crate::model::waves::CASCADES, Precision::Half);
+        let fft = Fft::new(&gpu, 256, crate::model::waves::CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(&gpu);
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
@@ -296,7 +296,7 @@ impl Renderer {
         }
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
-            self.fft = Fft::new(&self.gpu, n, sea.cascades.len(), Precision::Half);
+            self.fft = Fft::new(&self.gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
             self.surface_groups =
                 surface_groups(&self.gpu, &self.surface_layout, &self.fft, &self.perlin, &self.foam, &self.sky_table);
         }

@@ -13,7 +13,7 @@ use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Settings, Spectrum, Wind};
 
 mod water;
-use water::{Ensemble, Filter, Water, Waves, frame, place, reseeded};
+use water::{Ensemble, Water, Waves, frame, place, reseeded};
 
 /// 2026-11-20T12:00:00Z.
 const NOON: f64 = 1_795_176_000.0;
@@ -136,7 +136,8 @@ fn seas() -> [(&'static str, Settings); 3] {
     ]
 }
 
-/// At the samples of the textures (what their filter takes between them is no business of the mix): variances of height, and of slope along and across with the roughness that is left, over the spectrum's own, at every station.
+/// Of the water as it is drawn, between the textures' samples: variances of height, and of slope along and across with the roughness
+/// that is left, over the spectrum's own, at every station.
 fn along_the_mix(water: &mut Water, settings: &Settings, realisations: u32) -> [[Ensemble; 3]; 5] {
     const PLACES: usize = 768;
     const SHARED: u32 = 6;
@@ -167,7 +168,7 @@ fn along_the_mix(water: &mut Water, settings: &Settings, realisations: u32) -> [
                 [x as f32, y as f32, (MIX_NEAR_M + r * (MIX_FAR_M - MIX_NEAR_M)) as f32, 0.0]
             })
             .collect();
-        for (drawn, sum) in water.at(&now, &places, Filter::Nearest).chunks_exact(PLACES).zip(&mut sums) {
+        for (drawn, sum) in water.at(&now, &places).chunks_exact(PLACES).zip(&mut sums) {
             let mean = |value: &dyn Fn(&water::Drawn) -> f64| drawn.iter().map(value).sum::<f64>() / PLACES as f64;
             sum[0] += mean(&|d| d.height * d.height) / m0;
             for axis in 0..2 {

@@ -155,13 +155,13 @@ fn structs_have_the_same_members_at_the_same_places() {
         foam::source(),
         "FoamStep",
         foam::FoamStep,
-        [previous, grow, keep, empty, unused_a, unused_b, unused_c]
+        [previous, grow, keep, empty, cells, unused_a, unused_b]
     );
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",
         fft::Evolution,
-        [ticks, cascade_count, unused, patches, scales]
+        [ticks, cascade_count, sharpened, patches, scales]
     );
     assert_mirror!(
         perlin::source(),

@@ -7,7 +7,7 @@ use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Settings, Wind};
 
 mod water;
-use water::{Ensemble, Filter, Water, Waves, frame, place, reseeded};
+use water::{Ensemble, Water, Waves, frame, place, reseeded};
 
 /// 2026-11-20T12:00:00Z.
 const NOON: f64 = 1_795_176_000.0;
@@ -137,7 +137,7 @@ fn the_drawn_slopes_and_their_roughness_add_up_under_every_footprint() {
                         [x as f32, y as f32, distance as f32, footprint as f32]
                     })
                     .collect();
-                let drawn = water.at(&now, &places, Filter::Linear);
+                let drawn = water.at(&now, &places);
                 for (drawn, found) in drawn.chunks_exact(PLACES).zip(&mut found) {
                     for (axis, [slope, rough]) in found.iter_mut().enumerate() {
                         slope.push(drawn.iter().map(|d| d.slope[axis] * d.slope[axis]).sum::<f64>() / PLACES as f64);

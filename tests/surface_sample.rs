@@ -39,7 +39,7 @@ fn gpu() -> Gpu {
 /// Displacement (east, north, up at the eye), Perlin weight; normal (not unit), Jacobian.
 fn drawn(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])> {
     use wgpu::{BufferUsages as B, TextureViewDimension::*};
-    let mut fft = Fft::new(gpu, frame.sea.cascades[0].n, frame.sea.cascades.len(), Precision::Half);
+    let mut fft = Fft::new(gpu, frame.sea.cascades[0].n, frame.sea.cascades.len(), Precision::Half).sharpened(true);
     fft.set_waves(gpu, &frame.sea.cascades, &WaveData::of(&frame.sea));
     fft.set_time(gpu, frame.ticks());
     let format = wgpu::TextureFormat::Rgba16Float;

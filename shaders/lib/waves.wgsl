@@ -28,11 +28,14 @@ fn node_weight(distance: f32, nearest: f32) -> f32 {
     return smoothstep(0.0, 1.0, 1.0 - (distance - nearest) / BLEND_WIDTH);
 }
 
-fn node_weights(p: vec3f) -> NodeWeights {
+fn node_weights(p: vec3f) -> NodeWeights { return weights_of_first(p, frame.node_count); }
+
+// Of the first `count` cells, which are the nearest to the eye.
+fn weights_of_first(p: vec3f, count: u32) -> NodeWeights {
     var nearest = 1e30;
-    for (var i = 0u; i < frame.node_count; i++) { nearest = min(nearest, node_distance(i, p)); }
+    for (var i = 0u; i < count; i++) { nearest = min(nearest, node_distance(i, p)); }
     var sum = 0.0;
-    for (var i = 0u; i < frame.node_count; i++) {
+    for (var i = 0u; i < count; i++) {
         let w = node_weight(node_distance(i, p), nearest);
         sum += w * w;
     }

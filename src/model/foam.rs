@@ -25,14 +25,14 @@ const POINTS: usize = 2048;
 const INSTANTS: usize = 64;
 const STEP_S: f64 = 0.15;
 /// Bands of wave numbers, from below the peak to [`SHORTEST_TEXELS`] of the finest level.
-const BANDS: usize = 15;
+const BANDS: usize = 12;
 /// Waves of fewer texels than this move no level.
 const SHORTEST_TEXELS: f64 = 1.5;
 /// A tile shorter than so many texels moves a level by next to nothing: its longest waves are a sixth of it. Equals
 /// `SHORTEST_TILE_TEXELS` in `shaders/foam.wgsl`.
-pub const SHORTEST_TILE_TEXELS: f64 = 12.0;
-/// Directions off the wind, radians.
-const DIRECTIONS: [f64; 4] = [-0.95, -0.3, 0.3, 0.95];
+pub const SHORTEST_TILE_TEXELS: f64 = 10.0;
+/// Directions off the wind, radians: the middles of six sectors of the half circle before it.
+const DIRECTIONS: [f64; 6] = [-1.308_997, -0.785_398, -0.261_799, 0.261_799, 0.785_398, 1.308_997];
 
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
 /// for any step. A lifetime of 0 or less leaves Fₑ.
@@ -78,12 +78,11 @@ pub fn ramp_start(share: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// One wave of the simulation: ∇D per unit of its random amplitude, and its frequency.
+/// One wave of the simulation: what each level sees of its ∇D (xx, yy, xy) per unit of its random amplitude, and its frequency.
+/// Single precision: the amplitudes are random.
 struct Component<const N: usize> {
-    gradient: [f64; 3],
+    gradient: [[f32; N]; 3],
     omega: f64,
-    /// What each level sees of it.
-    kept: [f64; N],
 }
 
 /// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its tile's textures: it reads the two mip
@@ -110,8 +109,8 @@ pub fn kept(tile: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
 }
 
 /// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
-/// (0…1) for a lifetime in seconds; `tiles` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for
-/// it gets [`Fold::NEVER`].
+/// (0…1) for a lifetime in seconds; `tiles` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose
+/// waves are all too short for it gets [`Fold::NEVER`].
 pub fn folds<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
     tiles: &[Cascade],
@@ -127,7 +126,7 @@ pub fn folds<const N: usize>(
         return folds;
     }
     let mut series: [Vec<(f32, f32)>; N] = std::array::from_fn(|_| Vec::with_capacity(POINTS * INSTANTS));
-    (0..POINTS).for_each(|point| simulate(point, &waves, chop, &mut series));
+    (0..POINTS).for_each(|point| simulate(point, &waves, chop as f32, &mut series));
     for ((fold, series), softness) in folds.iter_mut().zip(&series).zip(softness) {
         let lowest = series.iter().map(|(mu, _)| *mu).fold(0.0f32, f32::min);
         let deviation = (series.iter().map(|(mu, _)| f64::from(mu * mu)).sum::<f64>() / series.len() as f64).sqrt();
@@ -136,8 +135,8 @@ pub fn folds<const N: usize>(
         }
         fold.softness = softness * deviation;
         let (mut low, mut high) = (f64::from(lowest), deviation + fold.softness);
-        // 14 halvings: 1e-4 of the range.
-        for _ in 0..14 {
+        // 11 halvings: 5e-4 of the range.
+        for _ in 0..11 {
             fold.threshold = 0.5 * (low + high);
             let mean = mean_foam(series, *fold, lifetime_s);
             if mean < wanted { low = fold.threshold } else { high = fold.threshold }
@@ -171,18 +170,16 @@ fn components<const N: usize>(
             let (sin, cos) = libm::sincos(*angle);
             // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
             let slope = k * libm::sqrt(energy * density / total);
-            waves.push(Component {
-                gradient: [-slope * cos * cos, -slope * sin * sin, -slope * sin * cos],
-                omega: dispersion::omega_deep(k),
-                kept: texels_m.map(|texel_m| kept(tile, texel_m, k * cos, k * sin)),
-            });
+            let kept = texels_m.map(|texel_m| kept(tile, texel_m, k * cos, k * sin));
+            let gradient = [cos * cos, sin * sin, sin * cos].map(|part| kept.map(|kept| (-slope * part * kept) as f32));
+            waves.push(Component { gradient, omega: dispersion::omega_deep(k) });
         }
     }
     waves
 }
 
 /// Appends (μ, J) of every level at the instants of one rest point.
-fn simulate<const N: usize>(point: usize, waves: &[Component<N>], chop: f64, series: &mut [Vec<(f32, f32)>; N]) {
+fn simulate<const N: usize>(point: usize, waves: &[Component<N>], chop: f32, series: &mut [Vec<(f32, f32)>; N]) {
     // Amplitudes are complex Gaussian, so that the tails are those of a Gaussian sea; each turns on by a fixed angle.
     let mut turning: Vec<_> = waves
         .iter()
@@ -192,24 +189,26 @@ fn simulate<const N: usize>(point: usize, waves: &[Component<N>], chop: f64, ser
             let [jitter, _] = noise::bits(1, 2_000, point as i32, index as i32);
             let omega = wave.omega * (0.85 + 0.3 * (jitter >> 11) as f64 / (1u64 << 53) as f64);
             let (sin, cos) = libm::sincos(-omega * STEP_S);
-            (noise::gaussian_pair(0, 2_000, point as i32, index as i32), [cos, sin])
+            let amplitude = noise::gaussian_pair(0, 2_000, point as i32, index as i32);
+            (amplitude.map(|x| x as f32), [cos as f32, sin as f32])
         })
         .collect();
     for _ in 0..INSTANTS {
-        let mut sums = [[0.0; 3]; N];
+        let mut sums = [[0.0f32; N]; 3];
         for (wave, (z, turn)) in waves.iter().zip(&mut turning) {
-            let [xx, yy, xy] = wave.gradient.map(|gradient| gradient * z[0]);
-            for (sum, kept) in sums.iter_mut().zip(wave.kept) {
-                *sum = [sum[0] + kept * xx, sum[1] + kept * yy, sum[2] + kept * xy];
+            for (sums, gradients) in sums.iter_mut().zip(&wave.gradient) {
+                for (sum, gradient) in sums.iter_mut().zip(gradients) {
+                    *sum += gradient * z[0];
+                }
             }
             *z = [z[0] * turn[0] - z[1] * turn[1], z[0] * turn[1] + z[1] * turn[0]];
         }
-        for (series, sum) in series.iter_mut().zip(sums) {
-            let [xx, yy, xy] = sum;
+        for (level, series) in series.iter_mut().enumerate() {
+            let [xx, yy, xy] = sums.map(|sums| sums[level]);
             let half = 0.5 * (xx - yy);
             let mu = 0.5 * (xx + yy) - (half * half + xy * xy).sqrt();
             let j = (1.0 + chop * xx) * (1.0 + chop * yy) - chop * chop * xy * xy;
-            series.push((mu as f32, j.max(0.0) as f32));
+            series.push((mu, j.max(0.0)));
         }
     }
 }
@@ -223,13 +222,12 @@ fn mean_foam(series: &[(f32, f32)], fold: Fold, lifetime_s: f64) -> f64 {
         let breaking = ((threshold - mu) * steepness).clamp(0.0, 1.0);
         breaking + (f - breaking) * if breaking > f { grow } else { keep }
     };
+    let left = (-STEP_S * INSTANTS as f64 / lifetime_s).exp() as f32;
     let (mut foam, mut area) = (0.0f64, 0.0f64);
     for record in series.chunks_exact(INSTANTS) {
-        let run = |start: f32| record.iter().fold(start, |f, (mu, _)| step(f, *mu));
-        // One run maps start to about a + b·start.
-        let a = run(0.0);
-        let b = run(1.0) - a;
-        let mut f = a / (1.0 - b).max(1e-6);
+        // One run maps the start to about a + b·start, with b what a lifetime leaves of it.
+        let a = record.iter().fold(0.0, |f, (mu, _)| step(f, *mu));
+        let mut f = (a / (1.0 - left).max(1e-6)).min(1.0);
         for (mu, j) in record {
             f = step(f, *mu);
             foam += f64::from(f * j);

@@ -58,12 +58,32 @@ pub fn evolve(h0: Complex, h0_minus: Complex, omega: f64, phase: f64) -> (Comple
     (h, h_t)
 }
 
+/// What makes up for the linear interpolation between the samples of a tile: between two of them, e^{ikx} with `cycles` = n/N of a
+/// turn from one to the next has the mean square (2 + cos 2πn/N)/3, so this is the square root of its inverse. Along both axes, the
+/// variance of an interpolated surface is then that of its waves.
+pub fn interpolation_gain(cycles: f64) -> f64 {
+    libm::sqrt(3.0 / (2.0 + libm::cos(std::f64::consts::TAU * cycles)))
+}
+
+/// [`interpolation_gain`] of an element of a tile, both axes together.
+pub fn gain_of(tile: impl Into<Tile>, index: usize) -> f64 {
+    let [n, m] = tile.into().samples;
+    let axis = |i: usize, n: usize| interpolation_gain(i as f64 / n as f64);
+    axis(index % n, n) * axis(index / n, m)
+}
+
 /// The eight drawn fields of a tile, two to a grid as real and imaginary part, element by element: (Dx, Dy), (η, ∂Dx/∂y),
-/// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). The chop is that of deep water at any depth.
+/// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). The chop is that of deep water at any depth. `gain` multiplies height and displacement
+/// of a wave (by its element), see [`interpolation_gain`]; not their derivatives.
 ///
 /// # Panics
 /// If `h0` does not hold as many elements as the tile: both come from the same cascade.
-pub fn packed_fields(h0: &[Complex], tile: impl Into<Tile>, phase: impl Fn(usize) -> f64) -> [Vec<Complex>; 4] {
+pub fn packed_fields(
+    h0: &[Complex],
+    tile: impl Into<Tile>,
+    gain: impl Fn(usize) -> f64,
+    phase: impl Fn(usize) -> f64,
+) -> [Vec<Complex>; 4] {
     let tile = tile.into();
     assert_eq!(h0.len(), tile.count(), "amplitudes are not those of the tile");
     let mut spectra: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![[0.0; 2]; tile.count()]);
@@ -80,8 +100,9 @@ pub fn packed_fields(h0: &[Complex], tile: impl Into<Tile>, phase: impl Fn(usize
         let times = |s: f64| [s * h[0], s * h[1]];
         // a + ib of two Hermitian spectra: the transform brings both real fields at once.
         let pack = |a: Complex, b: Complex| [a[0] - b[1], a[1] + b[0]];
-        spectra[0][index] = pack(times_i(ux), times_i(uy));
-        spectra[1][index] = pack(h, times(-kx * uy));
+        let gain = gain(index);
+        spectra[0][index] = pack(times_i(gain * ux), times_i(gain * uy));
+        spectra[1][index] = pack(times(gain), times(-kx * uy));
         spectra[2][index] = pack(times_i(kx), times_i(ky));
         spectra[3][index] = pack(times(-kx * ux), times(-ky * uy));
     }
@@ -94,7 +115,7 @@ fn fields_with(h0: &[Complex], tile: Tile, omega: &[f64], phase: impl Fn(usize) 
     let mut rates: Vec<Complex> =
         (0..tile.count()).map(|i| evolve(h0[i], h0[tile.mirror(i)], omega[i], phase(i)).1).collect();
     fft::inverse_2d(&mut rates, tile.samples[0]);
-    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, tile, phase).map(parts);
+    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, tile, |_| 1.0, phase).map(parts);
     Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t: parts(rates).0 }
 }
 

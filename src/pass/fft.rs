@@ -30,7 +30,7 @@ pub use data::{WaveData, scales, words};
 pub struct Evolution {
     pub ticks: [u32; 2],
     pub cascade_count: u32,
-    pub unused: u32,
+    pub sharpened: u32,
     pub patches: [f32; 4],
     pub scales: [[f32; 4]; 8],
 }
@@ -110,6 +110,7 @@ pub struct Fft {
     mips: MipChain,
     cascades: Vec<Cascade>,
     scales: Vec<[[f32; 4]; 2]>,
+    sharpened: bool,
     /// (Dx, Dy, height, dDx/dy) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
     /// (dh/dx, dh/dy, (dh/dx)², (dh/dy)²): the squares' means in its mip levels hold what a pixel cannot resolve.
@@ -168,6 +169,7 @@ impl Fft {
         let mips = MipChain::of(gpu, &[&displacements, &slopes, &stretches], name);
         let (cascades, scales) = (Vec::new(), Vec::new());
         Self {
+            sharpened: false,
             n,
             rows,
             columns,
@@ -192,6 +194,13 @@ impl Fft {
         self.cascades = cascades.to_vec();
     }
 
+    /// Whether heights and displacements make up for the linear interpolation that they are drawn with
+    /// ([`interpolation_gain`](crate::model::surface::interpolation_gain)): so is what is drawn. Without it they are the model's at
+    /// the samples.
+    pub fn sharpened(self, sharpened: bool) -> Self {
+        Self { sharpened, ..self }
+    }
+
     /// Samples along a side.
     pub fn samples(&self) -> usize {
         self.n
@@ -206,7 +215,7 @@ impl Fft {
             let evolution = Evolution {
                 ticks: words(ticks),
                 cascade_count: batch.tiles.len() as u32,
-                unused: 0,
+                sharpened: u32::from(self.sharpened),
                 patches: std::array::from_fn(patch),
                 scales: std::array::from_fn(scale),
             };

@@ -15,6 +15,9 @@ const SIDE: u32 = 8;
 /// Steps shorter than this are saved up, s: 16-bit floats would round their decay away.
 const SHORTEST_STEP_S: f64 = 1.0 / 120.0;
 
+/// How long a crest of the finest square breaks at one place, s: a fraction of the second that its waves of a metre or two take.
+const SHORTEST_BREAKING_S: f64 = 0.15;
+
 /// Mirrors `FoamStep` in `shaders/foam.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
@@ -24,9 +27,22 @@ pub struct FoamStep {
     pub grow: [f32; LEVELS],
     pub keep: [f32; LEVELS],
     pub empty: u32,
+    pub cells: u32,
     pub unused_a: u32,
     pub unused_b: u32,
-    pub unused_c: u32,
+}
+
+/// What a breaking crest leaves ungrown in a step of `dt_s` seconds. A crest that breaks for less than a step, T, is met by chance, in one
+/// of dt/T steps: then the step grows it dt/T times as much as breaking for T does, so that the mean is right. On squares of
+/// larger texels longer waves break, for longer.
+fn ungrown(level: usize, dt_s: f64) -> f64 {
+    let breaking_s = SHORTEST_BREAKING_S * (TEXELS_M[level] / TEXELS_M[0]).sqrt();
+    let grown = if dt_s < breaking_s {
+        1.0 - (-dt_s / GROWTH_S).exp()
+    } else {
+        dt_s / breaking_s * (1.0 - (-breaking_s / GROWTH_S).exp())
+    };
+    1.0 - grown.min(1.0)
 }
 
 /// The composed shader.
@@ -128,16 +144,17 @@ impl Foam {
         });
         let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level]) as f64 / TICKS_PER_SECOND;
         // A square that is not due stays as it is.
-        let rate = |tau_s: f64| std::array::from_fn(|l| if due[l] { (-dt_s(l) / tau_s).exp() as f32 } else { 1.0 });
+        let each = |left: &dyn Fn(usize) -> f64| std::array::from_fn(|l| if due[l] { left(l) as f32 } else { 1.0 });
         let step = FoamStep {
             previous: std::array::from_fn(|level| {
                 let ([x, y], _) = last.eye.texel(level);
                 [x, y, 0, 0]
             }),
             // The first instant of a replay has no time before it: crests that break then count as white.
-            grow: if last.empty { [0.0; LEVELS] } else { rate(GROWTH_S) },
-            keep: rate(lifetime_s),
+            grow: if last.empty { [0.0; LEVELS] } else { each(&|level| ungrown(level, dt_s(level))) },
+            keep: each(&|level| (-dt_s(level) / lifetime_s).exp()),
             empty: u32::from(last.empty),
+            cells: eye.cells,
             ..FoamStep::default()
         };
         gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(&step));

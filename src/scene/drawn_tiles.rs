@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::moved_water::{Motion, between_samples};
 use super::sea::SeaTables;
 use crate::model::fft::Complex;
-use crate::model::surface::{packed_fields, phase_at};
+use crate::model::surface::{gain_of, packed_fields, phase_at};
 use crate::model::waves::{self, Cascade};
 
 /// Amplitudes h0 and cycles per tick of a cascade.
@@ -45,7 +45,7 @@ impl DrawnTiles {
 
     fn new(tables: &Arc<SeaTables>, waves: Arc<Vec<Waves>>, ticks: u64) -> Self {
         let grids = |(cascade, (h0, cycles)): (&Cascade, &Waves)| {
-            packed_fields(h0, cascade, |index| phase_at(cycles[index], ticks))
+            packed_fields(h0, cascade, |index| gain_of(cascade, index), |index| phase_at(cycles[index], ticks))
         };
         let grids = tables.cascades.iter().zip(waves.iter()).map(grids).collect();
         Self { tables: tables.clone(), ticks, waves, grids }

@@ -19,6 +19,7 @@ use glam::DVec2;
 
 use super::sea::SeaTables;
 use super::settings::{Foam, FoamRule, Settings};
+use super::wave_domain::BLEND_WIDTH_M;
 use crate::model::foam::{self, Fold};
 use crate::model::sea_state;
 use crate::model::waves::TICKS_PER_SECOND;
@@ -33,6 +34,9 @@ pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
 const SOFTNESS: [f64; LEVELS] = [0.2, 0.5, 1.0, 1.5];
 /// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
+/// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
+/// as the map's corners are.
+pub const SERVED_M: f64 = BLEND_WIDTH_M + 2.0 * 1_300.0;
 /// Lifetimes that a replay goes back: e⁻³ is 5 %.
 const LIFETIMES: u64 = 3;
 
@@ -85,6 +89,8 @@ pub struct FoamEye {
     pub at: DVec2,
     /// The first level that the picture shows: from high up the finest are smaller than pixels.
     pub finest: usize,
+    /// How many of the frame's wave cells, nearest first, serve the map.
+    pub cells: u32,
 }
 
 impl FoamEye {
@@ -107,7 +113,7 @@ fn replay_steps(lifetime_s: f64) -> [u64; 3] {
 /// A level is brought up to date at multiples of so many ticks on the way of a replay: coarse ones hold long waves alone, which take
 /// their time.
 pub fn replay_stride(level: usize, lifetime_s: f64) -> u64 {
-    replay_steps(lifetime_s)[level.saturating_sub(1).min(2)]
+    replay_steps(lifetime_s)[(level / 2).min(1)]
 }
 
 /// The first level that an eye whose nearest water has pixels `footprint_m` wide needs; [`foam_share`](../../shaders/lib/foam.wgsl)

@@ -376,6 +376,7 @@ fn wave_nodes(
     let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
         frame: (cell.address, wind_from.to_bits()),
         at: in_cell(cell),
+        cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
         finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
     });
     (nodes, foam_eye)

@@ -13,7 +13,7 @@ use super::sea::SeaTables;
 use super::settings::Settings;
 use super::view_state::ViewState;
 use crate::model::fft::{Complex, mul};
-use crate::model::surface::{evolve, phase_at};
+use crate::model::surface::{evolve, gain_of, phase_at};
 use crate::model::waves::{self, Cascade, Tile};
 
 /// Waves lower than this share of the significant height do not lift the eye.
@@ -46,11 +46,12 @@ impl Lift {
         let noticed = NOTICED * tables.sea.hs_m;
         let size = |i: usize| h0[i][0].hypot(h0[i][1]);
         let big = (0..tile.count()).filter(|&i| i < tile.mirror(i) && size(i) + size(tile.mirror(i)) > noticed);
+        let sharpened = |i: usize| h0[i].map(|part| part * gain_of(tile, i));
         let waves = big.map(|i| Wave {
             at: [i % n, i / n],
             k: tile.wave_vector(i).into(),
-            h0: h0[i],
-            h0_mirror: h0[tile.mirror(i)],
+            h0: sharpened(i),
+            h0_mirror: sharpened(tile.mirror(i)),
             cycles_per_tick: waves::cycles_per_tick(omegas[i]),
         });
         let turn = |i: usize| {

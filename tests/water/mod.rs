@@ -39,13 +39,6 @@ pub struct Drawn {
     pub rough: [f64; 2],
 }
 
-/// How textures are read: as for a picture, or at the sample next to a place.
-#[derive(Clone, Copy, Debug)]
-pub enum Filter {
-    Linear,
-    Nearest,
-}
-
 /// Energies and frequencies of a sea's tiles, so that another seed costs its random numbers alone.
 pub struct Waves {
     pub tiles: Vec<Cascade>,
@@ -106,7 +99,7 @@ impl Water {
         ];
         let source = edited(shader::composed(KERNEL, ""));
         let [pipeline] = gpu.compute("drawn", &source, &layouts.each_ref(), ["drawn"]);
-        let fft = Fft::new(&gpu, n, waves::CASCADES, precision);
+        let fft = Fft::new(&gpu, n, waves::CASCADES, precision).sharpened(true);
         let perlin = Perlin::new(&gpu);
         Self { gpu, fft, perlin, layouts, pipeline }
     }
@@ -137,20 +130,13 @@ impl Water {
     }
 
     /// The water at places (east and north of the eye, distance, footprint; metres).
-    pub fn at(&self, frame: &Frame, places: &[[f32; 4]], filter: Filter) -> Vec<Drawn> {
+    pub fn at(&self, frame: &Frame, places: &[[f32; 4]]) -> Vec<Drawn> {
         use wgpu::BufferUsages as B;
         let gpu = &self.gpu;
         let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
         let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
         let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-        let repeated = match filter {
-            Filter::Linear => gpu.sampler("repeated", wgpu::AddressMode::Repeat),
-            Filter::Nearest => gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-                address_mode_u: wgpu::AddressMode::Repeat,
-                address_mode_v: wgpu::AddressMode::Repeat,
-                ..Default::default()
-            }),
-        };
+        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
         let tiles = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
         let noise = texture::view(&self.perlin.texture);
         let input = gpu.buffer("places", B::STORAGE, bytemuck::cast_slice(places));
