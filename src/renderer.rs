@@ -132,7 +132,9 @@ impl Renderer {
         let fft = Fft::new(&gpu, 256, crate::model::waves::CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(&gpu);
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
+        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
+        // The foam map is read texel by texel.
+        binds[4] = Bind::Texels(D2);
         let surface_layout = gpu.layout("surface", stages, &binds);
         let foam = Foam::new(&gpu, frame, &surface_layout);
         let surface_groups = surface_groups(&gpu, &surface_layout, &fft, &perlin, &foam, &sky_table);
@@ -169,7 +171,7 @@ impl Renderer {
         self.complete
     }
 
-    /// Replays the foam's history for a frame to its end, as a still picture needs it.
+    /// Replays the foam's history for a frame, all but the step that the frame itself makes: a still picture needs it.
     pub fn settle(&mut self, frame: &Frame) {
         self.take_sea(frame);
         self.upload(frame);
@@ -182,7 +184,8 @@ impl Renderer {
         self.fit(frame.size);
         self.take_sea(frame);
         self.upload(frame);
-        let foam_step = self.replay_foam(frame, REPLAY_STEPS[usize::from(!self.moving)]);
+        self.replay_foam(frame, REPLAY_STEPS[usize::from(!self.moving)]);
+        let foam_step = self.prepare_foam(frame);
         let Some(targets) = &self.targets else { return };
         self.fft.set_time(&self.gpu, frame.ticks());
         self.perlin.prepare(&self.gpu, frame);
@@ -240,25 +243,18 @@ impl Renderer {
         self.frame_group.upload(&self.gpu, frame, resolution, over_ocean);
     }
 
-    /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own. True when
-    /// the frame itself is to make the last step, from its own waves.
-    fn replay_foam(&mut self, frame: &Frame, mut budget: usize) -> bool {
+    /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own.
+    fn replay_foam(&mut self, frame: &Frame, mut budget: usize) {
         self.foam_complete = true;
-        let Some(lifetime_s) = frame.foam_lifetime_s else {
-            self.foam.reset();
-            return false;
-        };
+        let Some(lifetime_s) = frame.foam_lifetime_s else { return self.foam.reset() };
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
-        while let Some(instant) = self.foam.next_instant(ticks, eye, lifetime_s) {
-            if instant != ticks && budget == 0 {
+        while let Some(instant) = self.foam.next_instant(ticks, eye, lifetime_s).filter(|instant| *instant != ticks) {
+            if budget == 0 {
                 self.foam_complete = false;
-                return false;
-            }
-            self.foam.prepare(&self.gpu, instant, eye, lifetime_s);
-            if instant == ticks {
-                return true;
+                return;
             }
             budget -= 1;
+            self.foam.prepare(&self.gpu, instant, eye, lifetime_s);
             self.fft.set_time(&self.gpu, instant);
             let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
             {
@@ -270,7 +266,17 @@ impl Renderer {
             }
             self.gpu.queue.submit([encoder.finish()]);
         }
-        false
+    }
+
+    /// Prepares the foam's last step, which the frame itself makes from its own waves; false where there is none to make.
+    fn prepare_foam(&mut self, frame: &Frame) -> bool {
+        let Some(lifetime_s) = frame.foam_lifetime_s.filter(|_| self.foam_complete) else { return false };
+        let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
+        let due = self.foam.next_instant(ticks, eye, lifetime_s).is_some();
+        if due {
+            self.foam.prepare(&self.gpu, ticks, eye, lifetime_s);
+        }
+        due
     }
 
     /// Makes the textures of the picture's size.

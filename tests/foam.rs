@@ -29,14 +29,6 @@ fn ticks(seconds: f64) -> u64 {
     (seconds * TICKS_PER_SECOND) as u64
 }
 
-/// A finite 16-bit float.
-fn half(bits: u16) -> f32 {
-    let (exponent, mantissa) = (i32::from(bits >> 10 & 31), f32::from(bits & 1023));
-    assert!(exponent < 31, "not finite: {bits:x}");
-    let size = if exponent == 0 { mantissa * 2f32.powi(-24) } else { (mantissa + 1024.0) * 2f32.powi(exponent - 25) };
-    if bits >> 15 == 0 { size } else { -size }
-}
-
 fn mean(values: &[f32]) -> f64 {
     values.iter().map(|&x| f64::from(x)).sum::<f64>() / values.len() as f64
 }
@@ -164,7 +156,7 @@ impl Sea {
     /// Foam of one level of a map, by slot.
     fn foam(&self, map: &Map, level: usize) -> Vec<f32> {
         let bytes = self.gpu.read_texture(&map.foam.textures[map.foam.current()], 0, 0).unwrap();
-        bytes.chunks_exact(8).map(|texel| half(u16::from_le_bytes([texel[2 * level], texel[2 * level + 1]]))).collect()
+        bytes.chunks_exact(16).map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel)[level]).collect()
     }
 }
 

@@ -19,6 +19,18 @@ fn share_beyond(height: Metres, footprint: Metres) -> f32 {
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
 }
 
+// The map between four texels, in full precision: samplers' weights have eight bits and differ from one driver to the next, which the
+// edges of the lace would show. `texels`: from the corner of the eye's texel.
+fn foam_between(origin: vec2i, texels: vec2f, level: u32) -> f32 {
+    let v = texels - 0.5;
+    let cell = origin + vec2i(floor(v));
+    let f = v - floor(v);
+    let mask = vec2i(FOAM_TEXELS - 1);
+    return mix(
+        mix(textureLoad(foam_map, cell & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 0)) & mask, 0)[level], f.x),
+        mix(textureLoad(foam_map, (cell + vec2i(0, 1)) & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 1)) & mask, 0)[level], f.x), f.y);
+}
+
 // Share covered, 0…1, of a rest point with the water at `height`. Each square serves as far as it reaches and while its texels are
 // not finer than the footprint; what no square serves has the share that the wind asks for.
 fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
@@ -34,8 +46,7 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
         let reach = max(abs(at.x), abs(at.y)) / (square.side * f32(FOAM_TEXELS / 2));
         let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * (1.0 - smoothstep(1.0, 2.5, footprint / square.side));
         if weight <= 0.0 { continue; }
-        let texel = vec2f(square.texel & vec2i(FOAM_TEXELS - 1)) + square.fraction + at / square.side;
-        share += weight * textureSampleLevel(foam_map, repeated, texel / f32(FOAM_TEXELS), 0.0)[level];
+        share += weight * foam_between(square.texel, square.fraction + at / square.side, level);
         open -= weight;
     }
     return share + open * beyond;
@@ -72,7 +83,7 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let square = frame.foam_levels[0];
     // Flecks are longer across the wind, as crests are.
     let texels = square.fraction + at / square.side * vec2f(1.0, 0.5);
-    let scale = clamp(log2(2.5 * footprint / square.side), 0.0, 6.0);
+    let scale = clamp(log2(5.0 * footprint / square.side), 0.0, 6.0);
     let octave = i32(floor(scale));
     let fine = foam_noise(texels, octave - 1);
     let middle = foam_noise(texels, octave);
@@ -81,6 +92,6 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     // The sum of two such noises, spread to about uniform again.
     let level = smoothstep(0.15, 0.85, noise);
     // No softer than the share itself: the mean of this over a uniform level is the share.
-    let soft = min(0.25, min(share, 1.001 - share));
+    let soft = min(0.4, min(share, 1.001 - share));
     return mix(smoothstep(1.0 - share - soft, 1.0 - share + soft, level), share, blurred);
 }

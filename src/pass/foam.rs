@@ -9,10 +9,11 @@ use crate::model::foam::GROWTH_S;
 use crate::model::waves::TICKS_PER_SECOND;
 use crate::scene::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M, replay_next, replay_span, replay_start, replay_stride};
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// 32 bits: 16 would round the small steps of a fast picture away, each driver in its own way.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 /// Texels along a side of a workgroup.
 const SIDE: u32 = 8;
-/// Steps shorter than this are saved up, s: 16-bit floats would round their decay away.
+/// Steps shorter than this are saved up, s: no eye sees them.
 const SHORTEST_STEP_S: f64 = 1.0 / 120.0;
 
 /// How long a crest of the finest square breaks at one place, s: a fraction of the second that its waves of a metre or two take.
@@ -47,7 +48,7 @@ fn ungrown(level: usize, dt_s: f64) -> f64 {
 
 /// The composed shader.
 pub fn source() -> String {
-    shader::composed(&include_str!("../../shaders/foam.wgsl").replace("FORMAT", "rgba16float"), "")
+    shader::composed(&include_str!("../../shaders/foam.wgsl").replace("FORMAT", "rgba32float"), "")
 }
 
 /// Up to when the map and each of its squares are right, and where the eye was then.

@@ -31,7 +31,7 @@ pub const TEXELS: i32 = 256;
 /// Sides of the texels, metres.
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
 /// How gradually a level breaks, in root mean squares of its eigenvalue.
-const SOFTNESS: [f64; LEVELS] = [0.2, 0.5, 1.0, 1.5];
+const SOFTNESS: [f64; LEVELS] = [0.5, 0.7, 1.0, 1.5];
 /// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
@@ -106,7 +106,7 @@ impl FoamEye {
 /// of UTC for everyone. A quarter of a second late in it, for a lifetime of 3.5 s: a crest that breaks for less than that is caught by
 /// chance, and the share that it covers is right in the mean.
 fn replay_steps(lifetime_s: f64) -> [u64; 3] {
-    let late = (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round().exp2() as u64;
+    let late = 1 << (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round() as u64;
     [late, 2 * late, 4 * late]
 }
 
