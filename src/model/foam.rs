@@ -32,7 +32,9 @@ const SHORTEST_TEXELS: f64 = 1.5;
 /// `SHORTEST_TILE_TEXELS` in `shaders/foam.wgsl`.
 pub const SHORTEST_TILE_TEXELS: f64 = 10.0;
 /// Directions off the wind, radians: the middles of six sectors of the half circle before it.
-const DIRECTIONS: [f64; 6] = [-1.308_997, -0.785_398, -0.261_799, 0.261_799, 0.785_398, 1.308_997];
+const DIRECTIONS: [f64; 6] = [-5.0 * SECTOR, -3.0 * SECTOR, -SECTOR, SECTOR, 3.0 * SECTOR, 5.0 * SECTOR];
+/// Half a sector, 15°.
+const SECTOR: f64 = std::f64::consts::PI / 12.0;
 
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
 /// for any step. A lifetime of 0 or less leaves Fₑ.
