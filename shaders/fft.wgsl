@@ -115,9 +115,9 @@ fn packed(ab: vec4f, cd: vec4f) -> vec4u {
 fn unpacked(a: u32, b: u32) -> vec4f { return vec4f(unpack2x16float(a), unpack2x16float(b)); }
 
 fn put(at: vec2u, cascade: u32, displacement: vec4f, gradient: vec4f) {
-    textureStore(displacements, at, cascade, displacement);
+    textureStore(displacements, at, cascade, vec4f(displacement.xyz, 0.0));
     textureStore(slopes, at, cascade, vec4f(gradient.xy, gradient.xy * gradient.xy));
-    textureStore(stretches, at, cascade, vec4f(gradient.zw, displacement.w, gradient.x * gradient.y));
+    textureStore(stretches, at, cascade, vec4f(gradient.zw, displacement.w, 0.0));
 }
 
 @compute @workgroup_size(THREADS)

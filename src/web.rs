@@ -191,7 +191,7 @@ pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::re
 /// See [`h0_hash`]. All tiles of 256 by 256 samples in a row.
 pub fn waves_hash(seed: u32, speed_mps: f64) -> String {
     let sea = waves::Sea::from_wind(speed_mps, seed, 1.0);
-    let tiles = waves::cascades(&sea, 256);
+    let tiles = waves::cascades(256);
     let amplitudes = tiles.iter().enumerate().flat_map(|(index, tile)| waves::initial_amplitudes(&sea, index, tile));
     format!("{:016x}", waves::hash(&amplitudes.collect::<Vec<_>>()))
 }

@@ -11,7 +11,7 @@ const N: usize = 128;
 fn four_hundred_seas_have_the_height_of_the_spectrum() {
     let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let sea = Sea::from_wind(13.9, 0, 1.0);
-    let (tiles, spectrum) = (cascades(&sea, N), sea.spectrum());
+    let (tiles, spectrum) = (cascades(N), sea.spectrum());
     let energies: Vec<Vec<f64>> = tiles.iter().map(|tile| cell_energies(&spectrum, tile)).collect();
     let omegas: Vec<Vec<f64>> = tiles.iter().map(|tile| waves::angular_frequencies(tile, f64::INFINITY)).collect();
     let mut fft = Fft::new(&gpu, N, tiles.len(), Precision::Single);

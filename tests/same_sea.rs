@@ -13,7 +13,7 @@ fn the_amplitudes_have_the_bits_that_the_browser_finds() {
         let seed = u32::try_from(case["seed"].as_u64().unwrap()).unwrap();
         let speed_mps = case["speed_mps"].as_f64().unwrap();
         let sea = Sea::from_wind(speed_mps, seed, 1.0);
-        let tiles = cascades(&sea, 256);
+        let tiles = cascades(256);
         let all: Vec<_> =
             tiles.iter().enumerate().flat_map(|(index, tile)| initial_amplitudes(&sea, index, tile)).collect();
         let found = format!("{:016x}", hash(&all));

@@ -1,7 +1,7 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
 #import ellipsoid
 
-// displacements: (Dx, Dy, height, dDx/dy); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, hx hy);
+// displacements: (Dx, Dy, height, 0); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, 0);
 // one layer per cascade.
 @group(1) @binding(0) var displacements: texture_2d_array<f32>;
 @group(1) @binding(1) var slopes: texture_2d_array<f32>;

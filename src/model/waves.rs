@@ -5,10 +5,10 @@
 //! Element (i, j) stands at j·N + i; its wave vector is (n, m)·dk with n = i for i < N/2, else i − N; dk = 2π/patch.
 //! η = Σ H e^{+ik·x} with no 1/N², H = h0(k) e^{−iωt} + conj(h0(−k)) e^{+iωt}.
 
-pub use super::cascade::{CASCADES, Cascade, PATCHES_M, Tile};
+pub use super::cascade::{CASCADES, Cascade, PATCHES_M, Tile, cascades};
 use super::quadrature::simpson_log;
 pub use super::sea::Sea;
-use super::{cascade, dispersion, noise, spectrum::DirectionalSpectrum};
+use super::{dispersion, noise, spectrum::DirectionalSpectrum};
 
 /// Sub-samples per axis of a cell that a ring's edge cuts or that lies closer to the origin than [`NEAREST_CELLS`].
 const SUBSAMPLES: usize = 8;
@@ -16,17 +16,6 @@ const SUBSAMPLES: usize = 8;
 const NEAREST_CELLS: f64 = 8.0;
 /// Cells closer to the origin than this are sub-sampled half as finely: one sample of k⁻⁴ is 0.1 % off at 24 steps.
 const NEAR_CELLS: f64 = 24.0;
-
-/// The tiles of a sea, the longest first, with `n` samples along each side (a power of two, at least 32): the same tiles and
-/// rings for every sea, see [`cascade`].
-pub fn cascades(_sea: &Sea, n: usize) -> Vec<Cascade> {
-    cascade::rings(n).to_vec()
-}
-
-/// Mean square slope of the waves that no tile of `n` samples holds: the glitter below the texels.
-pub fn mss_unresolved(sea: &Sea, n: usize) -> f64 {
-    sea.spectrum().mss_above(cascade::rings(n)[CASCADES - 1].k_max)
-}
 
 /// Energy of each cell: ∫ F over [n ± ½]dkx × [m ± ½]dky where |k| lies in the ring, m². 0 at the origin and at the row and the
 /// column at half of the samples, which have no partner −k.

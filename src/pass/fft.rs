@@ -111,11 +111,11 @@ pub struct Fft {
     cascades: Vec<Cascade>,
     scales: Vec<[[f32; 4]; 2]>,
     sharpened: bool,
-    /// (Dx, Dy, height, dDx/dy) in metres, one layer per cascade.
+    /// (Dx, Dy, height, 0) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
     /// (dh/dx, dh/dy, (dh/dx)², (dh/dy)²): the squares' means in its mip levels hold what a pixel cannot resolve.
     pub slopes: wgpu::Texture,
-    /// (dDx/dx, dDy/dy, dDx/dy, dh/dx · dh/dy).
+    /// (dDx/dx, dDy/dy, dDx/dy, 0).
     pub stretches: wgpu::Texture,
 }
 

@@ -53,9 +53,7 @@ impl DrawnTiles {
 
     /// The motion at tile coordinates `at` of cascade `index`, m, linearly between the four samples around.
     pub fn motion(&self, index: usize, at: DVec2) -> Motion {
-        let Some(Cascade { n, patch_m, .. }) = self.tables.cascades.get(index).copied() else {
-            return Motion::default();
-        };
+        let Cascade { n, patch_m, .. } = self.tables.cascades[index];
         let ((i, u), (j, v)) = (between_samples(at.x, patch_m, n), between_samples(at.y, patch_m, n));
         let (next_i, next_j) = ((i + 1) % n, (j + 1) % n);
         let corners = [

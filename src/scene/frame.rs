@@ -293,13 +293,12 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
     u.perlin_patch = sea.perlin.patch_m as f32;
-    let patch = |i: usize| sea.cascades.get(i).map_or(1.0, |c| c.patch_m as f32);
-    u.patches = Vec4::new(patch(0), patch(1), patch(2), patch(3));
+    u.patches = Vec4::from(sea.cascades.map(|cascade| cascade.patch_m as f32));
     u.cascade_count = sea.cascades.len() as u32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
     u.layers = shows(Layer::Land, 1) | shows(Layer::Sea, 2) | shows(Layer::Sky, 4);
-    let slopes = |i: usize| sea.cascade_slopes.get(i).map_or(Vec2::ZERO, |s| DVec2::from(*s).as_vec2());
-    u.cascade_slopes = [0, 2].map(|i| Vec4::from((slopes(i), slopes(i + 1))));
+    let slopes = sea.cascade_slopes.map(|slopes| DVec2::from(slopes).as_vec2());
+    u.cascade_slopes = [0, 2].map(|i| Vec4::from((slopes[i], slopes[i + 1])));
     u.below_slopes = DVec2::from(sea.below_slopes).as_vec2();
     let ([x, y], [rough_x, rough_y]) = (sea.perlin.slopes, sea.perlin.rough);
     u.perlin_slopes = DVec4::new(rough_x, rough_y, x, y).as_vec4();
@@ -358,7 +357,7 @@ fn wave_nodes(
             let at = eye_in_cell + cell.offset(settings.seed, tile, patch_m);
             DVec2::new(at.x.rem_euclid(patch_m), at.y.rem_euclid(patch_m)).as_vec2()
         };
-        let cascade = |i: usize| sea.cascades.get(i).map_or(Vec2::ZERO, |c| start(i as u32, c.patch_m));
+        let cascade = |i: usize| start(i as u32, sea.cascades[i].patch_m);
         let pair = |i: usize| Vec4::from((cascade(i), cascade(i + 1)));
         WaveNode {
             origin: (enu_from_ecef * (cell.centre - eye)).as_vec3(),

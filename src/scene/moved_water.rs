@@ -84,12 +84,11 @@ impl Place {
         let from = settings.wind.from_deg.to_radians();
         let serving = wave_domain::blend(&cells, foot).into_iter().map(|(cell, _)| {
             let (x, y) = cell.axes(from);
-            let patch = |i: usize| tables.cascades.get(i).map_or(1.0, |cascade| cascade.patch_m);
             Serving {
                 cell: *cell,
                 axes: [x, y],
                 level_axes: [x, y].map(|axis| (enu_from_ecef * axis).truncate()),
-                offsets: std::array::from_fn(|i| cell.offset(settings.seed, i as u32, patch(i))),
+                offsets: std::array::from_fn(|i| cell.offset(settings.seed, i as u32, tables.cascades[i].patch_m)),
             }
         });
         Self { foot, ecef_from_enu, serving: serving.collect(), cells }

@@ -117,10 +117,7 @@ pub fn surface_height(settings: &Settings, camera: &Camera, unix_seconds: f64) -
     let ticks = waves::ticks_from_unix(unix_seconds);
     let evolved: Vec<_> = lifts.iter().map(|lift| lift.evolved(ticks)).collect();
     let place = Place::new(settings, &tables, camera.lat, camera.lon);
-    let tile = |index: usize, at| match (lifts.get(index), evolved.get(index)) {
-        (Some(lift), Some(h)) => lift.motion(h, at),
-        _ => Motion::default(),
-    };
+    let tile = |index: usize, at| lifts[index].motion(&evolved[index], at);
     place.invert(tables.sea.chop, tile).1.height - tables.chop_level_m
 }
 

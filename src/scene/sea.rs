@@ -18,7 +18,7 @@ pub struct SeaTables {
     /// Period of its spectrum's peak, s; 0 for a calm.
     pub peak_period_s: f64,
     /// Its wave tiles, longest first.
-    pub cascades: Vec<Cascade>,
+    pub cascades: [Cascade; CASCADES],
     /// Slopes of each tile's waves.
     pub cascade_slopes: [[f64; 2]; CASCADES],
     /// Slopes of the waves that are shorter than the tiles hold.
@@ -68,7 +68,7 @@ impl SeaTables {
     /// The tables of a sea on tiles of `n` by `n` samples.
     pub fn new(sea: Sea, n: usize) -> Self {
         let spectrum = sea.spectrum();
-        let cascades = waves::cascades(&sea, n);
+        let cascades = waves::cascades(n);
         let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
         let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
         let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);

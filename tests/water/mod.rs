@@ -41,14 +41,14 @@ pub struct Drawn {
 
 /// Energies and frequencies of a sea's tiles, so that another seed costs its random numbers alone.
 pub struct Waves {
-    pub tiles: Vec<Cascade>,
+    pub tiles: [Cascade; waves::CASCADES],
     pub energies: Vec<Vec<f64>>,
     pub omegas: Vec<Vec<f64>>,
 }
 
 impl Waves {
     pub fn of(tables: &SeaTables) -> Self {
-        let (tiles, spectrum) = (tables.cascades.clone(), tables.sea.spectrum());
+        let (tiles, spectrum) = (tables.cascades, tables.sea.spectrum());
         let energies = tiles.iter().map(|tile| waves::cell_energies(&spectrum, tile)).collect();
         let omegas = tiles.iter().map(|tile| tables.frequencies(tile)).collect();
         Self { tiles, energies, omegas }
