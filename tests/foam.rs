@@ -13,6 +13,7 @@ use ocean_globe::pass::fft::{Fft, Precision, WaveData};
 use ocean_globe::pass::foam::Foam;
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M, Whitecaps};
+use ocean_globe::scene::foam_history::History;
 use ocean_globe::scene::frame::{Frame, FrameUniform};
 use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{self, FoamRule, Settings, Wind};
@@ -53,6 +54,7 @@ struct Sea {
 /// A foam map with the frame that it is made under.
 struct Map {
     foam: Foam,
+    history: History,
     uniform: wgpu::Buffer,
     frame: wgpu::BindGroup,
     surfaces: [wgpu::BindGroup; 2],
@@ -100,7 +102,7 @@ impl Sea {
             let views = [&waves[0], &waves[1], &waves[2], map, map].map(wgpu::BindingResource::TextureView);
             gpu.bind("surface", &self.layouts[1], &views)
         });
-        Map { foam, uniform, frame, surfaces }
+        Map { foam, history: History::default(), uniform, frame, surfaces }
     }
 
     fn own_map(&self) -> Map {
@@ -121,7 +123,7 @@ impl Sea {
 
     /// Brings a map to an instant whose waves are there.
     fn step(&self, map: &mut Map, now: u64, eye: &FoamEye) {
-        map.foam.prepare(&self.gpu, now, eye, self.lifetime_s);
+        map.foam.prepare(&self.gpu, &map.history.step(now, eye, self.lifetime_s));
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -145,7 +147,7 @@ impl Sea {
         }
         self.gpu.queue.write_buffer(&map.uniform, 0, bytemuck::bytes_of(&uniform));
         let mut steps = 0;
-        while let Some(instant) = map.foam.next_instant(now, eye, self.lifetime_s) {
+        while let Some(instant) = map.history.next_instant(now, eye, self.lifetime_s) {
             self.run(instant);
             self.step(map, instant, eye);
             steps += 1;

@@ -7,7 +7,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::{fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
-use ocean_globe::scene::{foam as scene_foam, frame, wave_domain};
+use ocean_globe::scene::{foam as scene_foam, foam_history, frame, wave_domain};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
@@ -154,7 +154,7 @@ fn structs_have_the_same_members_at_the_same_places() {
     assert_mirror!(
         foam::source(),
         "FoamStep",
-        foam::FoamStep,
+        foam_history::FoamStep,
         [previous, grow, keep, empty, cells, unused_a, unused_b]
     );
     assert_mirror!(

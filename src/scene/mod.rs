@@ -6,6 +6,7 @@ pub mod camera;
 pub mod drawn_tiles;
 pub mod flight;
 pub mod foam;
+pub mod foam_history;
 pub mod fragment;
 pub mod frame;
 pub mod inertia;
