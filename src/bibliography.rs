@@ -149,3 +149,7 @@ pub enum Callaghan2008 {}
 /// on graphics processors*, Proc. ACM/IEEE Conf. on Supercomputing (SC '08), 2: Stockham's transform with several elements per
 /// thread and exchanges through shared memory. <https://doi.org/10.1109/SC.2008.5213922>
 pub enum Govindaraju2008 {}
+
+/// Dupuy, J. (2020), *Concurrent binary trees (with application to longest edge bisection)*, Proc. ACM Comput. Graph. Interact.
+/// Tech. 3(2), article 21: bits and sums that let threads split and merge triangles side by side. <https://doi.org/10.1145/3406186>
+pub enum Cbt {}

@@ -17,18 +17,23 @@ use crate::scene::frame::Frame;
 use crate::scene::navigate::above_ground;
 use crate::scene::ride::surface_height;
 use crate::scene::sea::SeaTables;
+use crate::scene::settings;
 use crate::scene::tiles::visible_tiles;
 use crate::scene::view_state::ViewState;
 
+mod mesh;
 mod surface;
 mod targets;
 
+use mesh::Mesh;
 use surface::Surface;
 use targets::{DEPTH_FORMAT, Targets, begin};
 pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
 const REPLAY_STEPS: [usize; 2] = [2, 13];
+/// Updates of the bisected mesh in a frame, of a moving picture and of a still one.
+const MESH_UPDATES: [u32; 2] = [2, 16];
 
 /// Draws frames of one world.
 pub struct Renderer {
@@ -39,6 +44,7 @@ pub struct Renderer {
     frame_group: FrameGroup,
     sky_table: SkyTable,
     surface: Surface,
+    mesh: Mesh,
     sky: Sky,
     land: Land,
     ocean: Ocean,
@@ -75,16 +81,18 @@ impl Renderer {
         let sky_table = SkyTable::new(&gpu, frame);
         let surface = Surface::new(&gpu, frame, &sky_table);
         let layout = &surface.layout;
+        let mesh = Mesh::new(&gpu);
         Self {
             sky: Sky::new(&gpu, frame, layout, radiance),
             land: Land::new(&gpu, frame, layout, radiance, DEPTH_FORMAT),
-            ocean: Ocean::new(&gpu, frame, layout, radiance, DEPTH_FORMAT),
+            ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             tonemap: Tonemap::new(&gpu, TARGET_FORMAT),
             radiance_format: radiance,
             tiles,
             frame_group,
             sky_table,
             surface,
+            mesh,
             targets: None,
             moving: false,
             visible: Vec::new(),
@@ -101,11 +109,22 @@ impl Renderer {
         self.complete
     }
 
-    /// Replays the foam's history for a frame, all but the step that the frame itself makes: a still picture needs it.
+    /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
+    /// rest: a still picture needs both.
     pub fn settle(&mut self, frame: &Frame) {
         self.surface.take(&self.gpu, frame);
         self.upload(frame);
         self.surface.replay(&self.gpu, frame, &self.frame_group.group, usize::MAX);
+        self.settle_mesh(frame);
+    }
+
+    /// Lets the bisected mesh come to rest.
+    pub fn settle_mesh(&mut self, frame: &Frame) {
+        self.upload(frame);
+        self.mesh.prepare(&self.gpu, frame, &self.frame_group.layout, u32::MAX);
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.group);
+        self.gpu.queue.submit([encoder.finish()]);
     }
 
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
@@ -115,8 +134,11 @@ impl Renderer {
         self.surface.take(&self.gpu, frame);
         self.upload(frame);
         let frame_group = &self.frame_group.group;
-        self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[usize::from(!self.moving)]);
+        let still = usize::from(!self.moving);
+        self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
+        self.mesh.prepare(&self.gpu, frame, &self.frame_group.layout, MESH_UPDATES[still]);
+        self.ocean.prepare(&self.gpu, self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect));
         self.land.set_tiles(&self.gpu, &self.visible);
         let Some(targets) = &self.targets else { return };
 
@@ -124,6 +146,7 @@ impl Renderer {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             self.sky_table.dispatch(&mut pass, frame_group);
             self.surface.dispatch(&mut pass, frame_group);
+            self.mesh.dispatch(&mut pass, frame_group);
         }
         let surface = self.surface.group();
         let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));
@@ -149,7 +172,7 @@ impl Renderer {
         {
             let mut pass = begin(encoder, "sea", &radiance, wgpu::LoadOp::Load, Some(&targets.depth));
             if layers & 2 != 0 {
-                self.ocean.draw(&mut pass, frame_group, surface);
+                self.ocean.draw(&mut pass, frame_group, surface, self.mesh.drawn());
             }
         }
         let mut pass = begin(encoder, "tonemap", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
@@ -196,7 +219,7 @@ impl Renderer {
         &mut self.world
     }
 
-    /// Whether more tiles are on their way, or the foam's history is being replayed, so that another frame would look different.
+    /// Whether more tiles are on their way, the foam's history is being replayed or the mesh refined: another frame would look different.
     pub fn needs_redraw(&self) -> bool {
         !self.complete || self.is_replaying()
     }
@@ -206,9 +229,9 @@ impl Renderer {
         self.moving = moving;
     }
 
-    /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.
+    /// Whether the foam's history is being replayed or the mesh refined: that needs frames, and nothing from outside.
     pub fn is_replaying(&self) -> bool {
-        self.surface.is_replaying()
+        self.surface.is_replaying() || self.mesh.is_settling()
     }
 
     /// The device.

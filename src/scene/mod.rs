@@ -2,6 +2,7 @@
 //!
 //! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
 
+pub mod bisection;
 pub mod camera;
 pub mod drawn_tiles;
 pub mod flight;
