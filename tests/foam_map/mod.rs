@@ -15,6 +15,9 @@ use ocean_globe::scene::frame::{Frame, FrameUniform};
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::wave_domain;
 
+#[path = "../kernel/mod.rs"]
+mod kernel;
+
 /// 2026-11-20T12:00:00Z.
 pub const NOON: f64 = 1_795_176_000.0;
 
@@ -56,10 +59,9 @@ impl Sea {
         let cell = wave_domain::cells_near(0.6, -0.5)[0];
         let camera = Camera::from_degrees(cell.lat.to_degrees(), cell.lon.to_degrees(), 10.0, 0.0, 0.0);
         let frame = Frame::new(settings, &camera, NOON, [64, 64]);
-        let stages = wgpu::ShaderStages::COMPUTE;
         let layouts = [
-            gpu.layout("frame", stages, &[Bind::Uniform, Bind::Uniform, Bind::Sampler, Bind::Sampler]),
-            gpu.layout("surface", stages, &[D2Array, D2Array, D2Array, D2, D2].map(Bind::Texture)),
+            kernel::frame_layout(&gpu),
+            gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &[D2Array, D2Array, D2Array, D2, D2].map(Bind::Texture)),
         ];
         let mut fft = Fft::new(&gpu, frame.sea.cascades[0].n, waves::CASCADES, Precision::Half);
         fft.set_waves(&gpu, &frame.sea.cascades, &WaveData::of(&frame.sea));
@@ -71,19 +73,7 @@ impl Sea {
         let gpu = &self.gpu;
         let foam = Foam::new(gpu, &self.layouts[0], &self.layouts[1]);
         let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(uniform));
-        let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&self.frame.nodes));
-        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
-        let frame = gpu.bind(
-            "frame",
-            &self.layouts[0],
-            &[
-                uniform.as_entire_binding(),
-                nodes.as_entire_binding(),
-                wgpu::BindingResource::Sampler(&clamped),
-                wgpu::BindingResource::Sampler(&repeated),
-            ],
-        );
+        let frame = kernel::frame_group(gpu, &self.layouts[0], &uniform, &self.frame.nodes);
         let surfaces = foam.maps.each_ref().map(|map| {
             let waves = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
             // No noise is read: its place is taken by the map itself.
