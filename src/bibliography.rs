@@ -73,7 +73,7 @@ pub enum CooleyTukey1965 {}
 pub enum Perlin1985 {}
 
 /// Monahan, E. C. and O'Muircheartaigh, I. (1980), *Optimal power-law description of oceanic whitecap coverage dependence on
-/// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010<2094:OPLDOO>2.0.CO;2>
+/// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010%3C2094:OPLDOO%3E2.0.CO;2>
 pub enum Monahan1980 {}
 
 /// Pierson, W. J. and Moskowitz, L. (1964), *A proposed spectral form for fully developed wind seas based on the similarity theory of
