@@ -178,6 +178,11 @@ impl Renderer {
         self.replay_foam(frame, usize::MAX);
     }
 
+    /// Forgets what came before: the next picture is that of a renderer that has just been made.
+    pub fn forget(&mut self) {
+        self.foam.reset();
+    }
+
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
