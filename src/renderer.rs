@@ -127,6 +127,11 @@ impl Renderer {
         self.gpu.queue.submit([encoder.finish()]);
     }
 
+    /// Forgets what came before: the next picture is that of a renderer that has just been made.
+    pub fn forget(&mut self) {
+        self.foam.reset();
+    }
+
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
