@@ -121,15 +121,16 @@ impl Renderer {
     /// Lets the bisected mesh come to rest.
     pub fn settle_mesh(&mut self, frame: &Frame) {
         self.upload(frame);
-        self.mesh.prepare(&self.gpu, frame, &self.frame_group.layout, u32::MAX);
+        self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, u32::MAX);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.group);
+        self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.block_group);
         self.gpu.queue.submit([encoder.finish()]);
     }
 
     /// Forgets what came before: the next picture is that of a renderer that has just been made.
     pub fn forget(&mut self) {
-        self.foam.reset();
+        self.surface.forget();
+        self.mesh.forget(&self.gpu);
     }
 
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
@@ -142,7 +143,7 @@ impl Renderer {
         let still = usize::from(!self.moving);
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
-        self.mesh.prepare(&self.gpu, frame, &self.frame_group.layout, MESH_UPDATES[still]);
+        self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         self.ocean.prepare(&self.gpu, self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect));
         self.land.set_tiles(&self.gpu, &self.visible);
         let Some(targets) = &self.targets else { return };
@@ -151,7 +152,7 @@ impl Renderer {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             self.sky_table.dispatch(&mut pass, frame_group);
             self.surface.dispatch(&mut pass, frame_group);
-            self.mesh.dispatch(&mut pass, frame_group);
+            self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }
         let surface = self.surface.group();
         let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));

@@ -101,7 +101,8 @@ pub fn drawn_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
 }
 
 impl Bisect {
-    /// A pool of `capacity` slots with the 24 roots; `frame` is the layout of bind group 0, `drawn` that of [`drawn_layout`].
+    /// A pool of `capacity` slots with the 24 roots; `frame` is the layout of a bind group 0 with the frame's block alone,
+    /// `drawn` that of [`drawn_layout`].
     pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, drawn: &wgpu::BindGroupLayout, capacity: u32) -> Self {
         Self::of_shader(gpu, frame, drawn, capacity, &source())
     }

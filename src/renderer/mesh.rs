@@ -46,7 +46,7 @@ impl Mesh {
         Self { layout: drawn_layout(gpu), bisect: None, view: None, rested: 0, due: 0 }
     }
 
-    /// Gets ready for at most `updates` of them in the frame. `frame_layout` is that of bind group 0.
+    /// Gets ready for at most `updates` of them in the frame. `frame_layout` is that of a bind group of the frame's block alone.
     pub(super) fn prepare(&mut self, gpu: &Gpu, frame: &Frame, frame_layout: &wgpu::BindGroupLayout, updates: u32) {
         let view = View::of(frame);
         self.due = 0;
@@ -69,11 +69,19 @@ impl Mesh {
         }
     }
 
+    /// Back to the mesh's beginning.
+    pub(super) fn forget(&mut self, gpu: &Gpu) {
+        self.view = None;
+        if let Some(bisect) = &self.bisect {
+            bisect.reset(gpu);
+        }
+    }
+
     /// Records the frame's updates.
-    pub(super) fn dispatch(&self, pass: &mut wgpu::ComputePass, frame_group: &wgpu::BindGroup) {
+    pub(super) fn dispatch(&self, pass: &mut wgpu::ComputePass, frame_block: &wgpu::BindGroup) {
         let Some(bisect) = &self.bisect else { return };
         for _ in 0..self.due {
-            bisect.dispatch(pass, frame_group);
+            bisect.dispatch(pass, frame_block);
         }
     }
 

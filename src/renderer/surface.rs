@@ -72,6 +72,11 @@ impl Surface {
         &self.groups[self.foam.current()]
     }
 
+    /// Forgets the foam's history.
+    pub(super) fn forget(&mut self) {
+        self.history.reset();
+    }
+
     /// Makes the waves of a sea that is not the last one.
     pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame) {
         if self.whitecaps != Some(frame.whitecaps) {
