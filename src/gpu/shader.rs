@@ -8,6 +8,7 @@ use std::collections::HashSet;
 pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
+    ("domain", include_str!("../../shaders/lib/domain.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
     ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
     ("exchange_2", include_str!("../../shaders/lib/exchange_2.wgsl")),
