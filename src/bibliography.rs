@@ -68,6 +68,10 @@ pub enum BoxMuller1958 {}
 /// 19, 297–301. <https://doi.org/10.1090/S0025-5718-1965-0178586-1>
 pub enum CooleyTukey1965 {}
 
+/// Jarzynski, M. and Olano, M. (2020), *Hash functions for GPU rendering*, J. Comput. Graph. Tech. 9(3), 20–38.
+/// <https://jcgt.org/published/0009/03/02/>
+pub enum Jarzynski2020 {}
+
 /// Perlin, K. (1985), *An image synthesizer*, SIGGRAPH Comput. Graph. 19(3), 287–296; the quintic fade is of his *Improving
 /// noise* (2002), <https://doi.org/10.1145/566654.566636>. <https://doi.org/10.1145/325165.325247>
 pub enum Perlin1985 {}

@@ -8,7 +8,7 @@ use ocean_globe::gpu::{mips, shader};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::{bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
 use ocean_globe::scene::bisection::Bisection;
-use ocean_globe::scene::{foam as scene_foam, foam_history, frame, wave_domain};
+use ocean_globe::scene::{foam as scene_foam, foam_history, frame, wave_domain, wave_nodes};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
@@ -126,6 +126,13 @@ fn structs_have_the_same_members_at_the_same_places() {
             foam_rule,
             perlin_patch,
             patches,
+            spacings,
+            lace_texel,
+            lace_fraction,
+            perlin_spacing,
+            unused_a,
+            unused_b,
+            unused_c,
             node_count,
             layers,
             output,
@@ -144,9 +151,10 @@ fn structs_have_the_same_members_at_the_same_places() {
     assert_mirror!(
         ocean::source(),
         "WaveNode",
-        frame::WaveNode,
-        [origin, unused_a, axis_x, unused_b, axis_y, unused_c, starts, perlin_start,]
+        wave_nodes::WaveNode,
+        [origin, cos_lat, axis_x, turn, axis_y, key, wind, polar_north, anchors]
     );
+    assert_mirror!(ocean::source(), "WaveAnchor", wave_nodes::WaveAnchor, [vertex, eye]);
     assert_mirror!(
         ocean::source(),
         "FoamLevel",
@@ -239,6 +247,11 @@ fn constants_are_equal_on_both_sides() {
     let land = land::source();
     assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
+    assert_eq!(constant(&ocean, "TILES"), wave_domain::TILES as f64);
+    assert_eq!(constant(&ocean, "PERLIN_TILE"), wave_domain::PERLIN_TILE as f64);
+    assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
+    assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
+    assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));

@@ -11,6 +11,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("bisectors", include_str!("../../shaders/lib/bisectors.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
     ("cuboid", include_str!("../../shaders/lib/cuboid.wgsl")),
+    ("domain", include_str!("../../shaders/lib/domain.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
     ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
     ("exchange_2", include_str!("../../shaders/lib/exchange_2.wgsl")),

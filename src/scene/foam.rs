@@ -1,8 +1,8 @@
 //! The foam map: four squares of texels around the eye, each three times as coarse as the one before, fixed to the world.
 //!
 //! ```text
-//!  +-----------------------------+   A texel is a square of rest coordinates in the wind-aligned frame of the wave cell
-//!  |              3              |   nearest to the eye, so waves, foam and eye move past each other as water does.
+//!  +-----------------------------+   A texel is a square of rest coordinates in the plane of the wave cell nearest to the
+//!  |              3              |   eye, so waves, foam and eye move past each other as water does.
 //!  |      +---------------+      |   Texel (i, j) of the world lies in the texture at (i mod 256, j mod 256): when the
 //!  |      |     2         |      |   eye moves, only the texels that come into the square are made anew, from the
 //!  |      |   +-------+   |      |   next coarser square.
@@ -78,7 +78,7 @@ impl Whitecaps {
 /// A place in the foam map's frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoamEye {
-    /// Which cell's frame, and how it is turned: another one is another map.
+    /// Which cell's plane, and under which wind: another one is another map.
     pub frame: ([i32; 3], u64),
     /// The eye in it, metres.
     pub at: DVec2,
@@ -89,12 +89,24 @@ pub struct FoamEye {
 }
 
 impl FoamEye {
+    /// Texel of the eye in the lace, half as many across the wind as along it, and how far into it the eye is.
+    pub fn lace(&self, wind_from: f64) -> ([i32; 2], [f32; 2]) {
+        let (sin, cos) = wind_from.sin_cos();
+        let along = DVec2::new(-sin, -cos).dot(self.at);
+        let across = DVec2::new(cos, -sin).dot(self.at);
+        in_texels(DVec2::new(along, 0.5 * across) / TEXELS_M[0])
+    }
+
     /// Texel of the eye on a level, and how far into it the eye is, 0…1 texels.
     pub fn texel(&self, level: usize) -> ([i32; 2], [f32; 2]) {
-        let at = self.at / TEXELS_M[level];
-        let whole = at.floor();
-        ([whole.x as i32, whole.y as i32], (at - whole).as_vec2().to_array())
+        in_texels(self.at / TEXELS_M[level])
     }
+}
+
+/// A place in texels as a texel and the way into it.
+fn in_texels(at: DVec2) -> ([i32; 2], [f32; 2]) {
+    let whole = at.floor();
+    ([whole.x as i32, whole.y as i32], (at - whole).as_vec2().to_array())
 }
 
 /// The first level that an eye whose nearest water has pixels `footprint_m` wide needs; `foam_share` in `shaders/lib/foam.wgsl`

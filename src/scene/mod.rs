@@ -27,3 +27,4 @@ pub mod values;
 pub mod view_state;
 pub mod views;
 pub mod wave_domain;
+pub mod wave_nodes;

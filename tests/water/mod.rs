@@ -15,6 +15,7 @@ use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::wave_domain;
+use ocean_globe::scene::wave_nodes::WaveAnchor;
 
 #[path = "../kernel/mod.rs"]
 pub mod kernel;
@@ -32,8 +33,9 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     let place = places[id.x];
     let p = vec3f(place.xy, -frame.eye_altitude);
     let slopes = slopes_at(p, place.z, place.w);
-    let ax = nodes[0].axis_x.xy;
-    let ay = nodes[0].axis_y.xy;
+    let placed = placement(0u, 0u, frame.spacings.x, frame.patches.x, triangle_around(0u, 0u, frame.spacings.x, in_plane(0u, p)), 0u);
+    let ax = placed.axis_x;
+    let ay = placed.axis_y;
     found[2u * id.x] = vec4f(displacement_at(p, place.z, place.w).z, 0.0, 0.0, 0.0);
     found[2u * id.x + 1u] = vec4f(dot(slopes.slope, ax), dot(slopes.slope, ay), slopes.rough);
 }";
@@ -75,11 +77,17 @@ pub fn chopless(speed_mps: f64) -> Settings {
     Settings { wind: Wind { speed_mps, from_deg: 250.0 }, chop: 0.0, ..Settings::default() }
 }
 
-/// A frame of a chopless sea whose eye is over the middle of a wave cell, where no other cell has a share.
+/// A frame of a chopless sea whose eye is over the middle of a wave cell, where no other cell has a share, and on a vertex of
+/// lattices so wide that no other vertex has one: the water of one placement of each tile.
 pub fn frame(settings: &Settings, unix_seconds: f64) -> Frame {
     let cell = wave_domain::cells_near(0.6, -0.5)[0];
     let camera = Camera::from_degrees(cell.lat.to_degrees(), cell.lon.to_degrees(), 3.0, 0.0, 0.0);
-    Frame::new(settings, &camera, unix_seconds, [64, 64])
+    let mut frame = Frame::new(settings, &camera, unix_seconds, [64, 64]);
+    frame.uniform.spacings = glam::Vec4::splat(1e9);
+    frame.uniform.perlin_spacing = 1e9;
+    // With the vertex at the cell's centre, all places east and north of the eye have it as the first one of their triangle.
+    frame.nodes[0].anchors.fill(WaveAnchor { vertex: [0, 0], eye: glam::Vec2::new(10_000.0, 1_000.0) });
+    frame
 }
 
 /// The same frame with the noise of another seed at another instant.
