@@ -1,16 +1,17 @@
 // The panel, by mouse and keyboard: the wind and the picture follow.
 
 import assert from "node:assert/strict";
-import { before, test } from "node:test";
+import { test } from "node:test";
 import { difference } from "./lib/picture.mjs";
 import { visit } from "./lib/site.mjs";
 import { AT_SEA } from "./lib/views.mjs";
 
-const site = visit();
 let globe;
-before(async () => {
-  globe = await site.open({ fragment: AT_SEA });
-  await globe.settled();
+const site = visit({
+  first: async ({ open }) => {
+    globe = await open({ fragment: AT_SEA });
+    await globe.settled();
+  },
 });
 
 /** The left half of the screen, which the panel leaves free. */

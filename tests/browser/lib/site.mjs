@@ -4,8 +4,11 @@ import { after, before } from "node:test";
 import { Globe, launch } from "./browser.mjs";
 import { startProduct } from "./servers.mjs";
 
-/** The site that the tests of a file visit: by the program's own server unless `start` is another. Call it before any `before`. */
-export function visit({ start = startProduct, webgpu = true } = {}) {
+/**
+ * The site that the tests of a file visit: by the program's own server unless `start` is another. `first(site)` comes before the
+ * tests; a hook of the file's own would not wait for the server.
+ */
+export function visit({ start = startProduct, webgpu = true, first } = {}) {
   const site = {
     /** The globe in a page of its own; options as for `Globe.open`. */
     open: (options) => Globe.open(site.browser, site.server.address, options),
@@ -15,6 +18,7 @@ export function visit({ start = startProduct, webgpu = true } = {}) {
   before(async () => {
     site.server = await start();
     site.browser = await launch({ webgpu });
+    await first?.(site);
   });
   after(async () => {
     await site.browser?.close();
