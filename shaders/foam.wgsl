@@ -27,17 +27,17 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     let cells = serving(p, now.cells);
     let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
-    for (var s = 0u; s < cells.count; s++) {
-        let node = cells.node[s];
+    for (var node = 0u; node < now.cells; node++) {
+        let share = cell_weight(node, p, cells);
+        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
         for (var c = 0u; c < frame.cascade_count; c++) {
             let length = frame.patches[c];
             if length < SHORTEST_TILE_TEXELS * footprint { continue; }
             let lod = mip_for(footprint, length, texels);
             let triangle = triangle_around(node, c, frame.spacings[c], q);
-            for (var k = 0u; k < 3u; k++) {
-                let w = cells.weight[s] * triangle.weights[k];
-                if w <= 0.0 { continue; }
+            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+                let w = share * triangle.weights[k];
                 let here = cascade_placement(node, c, triangle, k, texels);
                 let own = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
                 sum += turned(w * own, here.axis_x, here.axis_y);

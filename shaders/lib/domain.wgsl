@@ -9,35 +9,29 @@ const ROW: f32 = 0.875;
 const POLAR_REACH: f32 = 0.0133;
 const PERLIN_TILE = 4u;
 
-// Cells that serve a point, and weights whose squares sum to one; no more than four meet anywhere.
-const MOST_CELLS = 4u;
-struct Serving {
-    count: u32,
-    node: array<u32, MOST_CELLS>,
-    weight: array<f32, MOST_CELLS>,
+// What the weights of the cells that serve a point depend on: the distance to the nearest one, and their norm.
+struct Serving { nearest: f32, norm: f32 }
+
+// A cell serves up to BLEND_WIDTH beyond the nearest one.
+fn reach_weight(node: u32, p: vec3f, nearest: f32) -> f32 {
+    return smoothstep(0.0, 1.0, 1.0 - (distance(p, nodes[node].origin) - nearest) / BLEND_WIDTH);
 }
 
-// Of the first `count` cells, which are the nearest to the eye; one serves up to BLEND_WIDTH beyond the nearest to the point.
+// Of the first `count` cells, which are the nearest to the eye.
 fn serving(p: vec3f, count: u32) -> Serving {
-    var found: Serving;
-    if count == 1u {
-        found.count = 1u;
-        found.weight[0] = 1.0;
-        return found;
-    }
     var nearest = 1e30;
     for (var i = 0u; i < count; i++) { nearest = min(nearest, distance(p, nodes[i].origin)); }
     var squares = 0.0;
     for (var i = 0u; i < count; i++) {
-        let w = smoothstep(0.0, 1.0, 1.0 - (distance(p, nodes[i].origin) - nearest) / BLEND_WIDTH);
-        if w <= 0.0 || found.count == MOST_CELLS { continue; }
-        found.node[found.count] = i;
-        found.weight[found.count] = w;
-        found.count++;
+        let w = reach_weight(i, p, nearest);
         squares += w * w;
     }
-    for (var i = 0u; i < found.count; i++) { found.weight[i] *= inverseSqrt(squares); }
-    return found;
+    return Serving(nearest, inverseSqrt(max(squares, 1e-6)));
+}
+
+// A cell's weight at a point; squares sum to one.
+fn cell_weight(node: u32, p: vec3f, cells: Serving) -> f32 {
+    return reach_weight(node, p, cells.nearest) * cells.norm;
 }
 
 // A point in a cell's plane, metres about the eye.
@@ -50,7 +44,8 @@ struct Triangle {
     corner: vec2i,             // vertex at the lattice cell's origin
     arm: vec2f,                // from it to the point, metres
     down: bool,                // which half of the lattice cell
-    weights: vec3f,            // of the vertices; squares sum to one
+    weights: vec3f,            // of the vertices, the greatest first, so that a loop can end early; squares sum to one
+    order: vec3u,              // which vertices those are
 }
 
 // `q` in the plane of cell `node`, metres about the eye.
@@ -63,10 +58,14 @@ fn triangle_around(node: u32, tile: u32, spacing: Metres, q: vec2f) -> Triangle 
     let f = vec2f(u, v) - low;
     let down = f.x + f.y >= 1.0;
     let shares = select(vec3f(1.0 - f.x - f.y, f), vec3f(f.x + f.y - 1.0, 1.0 - f), down);
-    let weights = max(shares - LEAST_SHARE, vec3f(0.0));
+    var weights = max(shares - LEAST_SHARE, vec3f(0.0));
+    var order = vec3u(0u, 1u, 2u);
+    if weights.y < weights.z { weights = weights.xzy; order = order.xzy; }
+    if weights.x < weights.y { weights = weights.yxz; order = order.yxz; }
+    if weights.y < weights.z { weights = weights.xzy; order = order.xzy; }
     // Spacings have six significant bits: these multiples are exact.
     let corner = vec2f((low.x + 0.5 * low.y) * spacing, low.y * ROW * spacing);
-    return Triangle(anchor.vertex + vec2i(low), r - corner, down, weights * inverseSqrt(dot(weights, weights)));
+    return Triangle(anchor.vertex + vec2i(low), r - corner, down, weights * inverseSqrt(dot(weights, weights)), order);
 }
 
 // North at a place of a cell's plane, metres from its centre; a unit vector.
@@ -92,8 +91,10 @@ struct Placement {
     axis_y: vec2f,
 }
 
+// The k-th of the triangle's vertices by weight.
 fn placement(node: u32, tile: u32, spacing: Metres, patch_length: Metres, triangle: Triangle, k: u32) -> Placement {
-    let one = vec2i(i32(k == 1u), i32(k == 2u));
+    let which = triangle.order[k];
+    let one = vec2i(i32(which == 1u), i32(which == 2u));
     let step = select(one, vec2i(1) - one, triangle.down);
     let vertex = triangle.corner + step;
     let arm = triangle.arm - spacing * vec2f(f32(step.x) + 0.5 * f32(step.y), ROW * f32(step.y));

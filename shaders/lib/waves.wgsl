@@ -43,8 +43,9 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     let cells = serving(p, frame.node_count);
     let texels = f32(textureDimensions(displacements).x);
     var sum = vec3f(0.0);
-    for (var s = 0u; s < cells.count; s++) {
-        let node = cells.node[s];
+    for (var node = 0u; node < frame.node_count; node++) {
+        let share = cell_weight(node, p, cells);
+        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
         for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
             let length = frame.patches[c];
@@ -52,9 +53,8 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
             if fade <= 0.0 { continue; }
             let lod = mip_for(footprint, length, texels);
             let triangle = triangle_around(node, c, frame.spacings[c], q);
-            for (var k = 0u; k < 3u; k++) {
-                let w = cells.weight[s] * triangle.weights[k] * weights.x * fade;
-                if w <= 0.0 { continue; }
+            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+                let w = share * triangle.weights[k] * weights.x * fade;
                 let here = cascade_placement(node, c, triangle, k, texels);
                 let own = w * textureSampleLevel(displacements, repeated, here.at, c, lod).xyz;
                 sum += vec3f(frame.chop * (own.x * here.axis_x + own.y * here.axis_y), own.z);
@@ -64,9 +64,8 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         if fade > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
-            for (var k = 0u; k < 3u; k++) {
-                let w = cells.weight[s] * triangle.weights[k] * fade;
-                if w <= 0.0 { continue; }
+            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+                let w = share * triangle.weights[k] * fade;
                 let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
                 sum.z += w * textureSampleLevel(perlin, repeated, here.at, lod).x;
             }
@@ -111,21 +110,21 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let near = weights.x * weights.x;
     let far = weights.y * weights.y;
     var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
-    for (var s = 0u; s < cells.count; s++) {
-        let node = cells.node[s];
+    for (var node = 0u; node < frame.node_count; node++) {
+        let share = cell_weight(node, p, cells);
+        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
         for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
             if fade <= 0.0 {
-                rough += near * cells.weight[s] * cells.weight[s] * cascade_slopes(c);
+                rough += near * share * share * cascade_slopes(c);
                 continue;
             }
             let lod = mip_for(footprint, length, texels);
             let triangle = triangle_around(node, c, frame.spacings[c], q);
-            for (var k = 0u; k < 3u; k++) {
-                let w = cells.weight[s] * triangle.weights[k] * weights.x;
-                if w <= 0.0 { continue; }
+            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+                let w = share * triangle.weights[k] * weights.x;
                 let here = cascade_placement(node, c, triangle, k, texels);
                 let means = textureSampleLevel(slopes, repeated, here.at, c, lod);
                 let shown = fade * means.xy;
@@ -140,9 +139,8 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
             let fade = resolvable(footprint, frame.perlin_patch);
             let own = frame.perlin_slopes.zw;
             let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
-            for (var k = 0u; k < 3u; k++) {
-                let w = cells.weight[s] * triangle.weights[k] * weights.y;
-                if w <= 0.0 { continue; }
+            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+                let w = share * triangle.weights[k] * weights.y;
                 let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
                 let noise = textureSampleLevel(perlin, repeated, here.at, lod);
                 let shown = fade * noise.yz;

@@ -17,7 +17,7 @@ use crate::model::surface::{evolve, gain_of, phase_at};
 use crate::model::waves::{self, Cascade, Tile};
 
 /// Waves lower than this share of the significant height do not lift the eye.
-const NOTICED: f64 = 1e-4;
+const NOTICED: f64 = 5e-5;
 
 /// A wave and its mirror −k, which make a real wave together.
 struct Wave {
