@@ -95,7 +95,7 @@ fn any_wishes_are_met_in_all_seven_patterns_and_merges_beside_them() {
     let mut merged = 0;
     for round in 0..60 {
         // The mesh grows to some ten thousand triangles and shrinks again.
-        let share = if mesh.len() > 5_000 { 3 } else { [64, 40, 28, 12, 50][round as usize % 5] };
+        let share = if mesh.len() > 8_000 { 0 } else { [64, 40, 28, 12, 50][round as usize % 5] };
         let wish = Bisection { unused_a: round, unused_b: share, budget: 40_000, ..Bisection::default() };
         pool.update_with(&wish, 1);
         let (after, patterns) = expected(&mesh, |edge| wished(middle(edge), round, share));
