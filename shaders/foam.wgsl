@@ -24,22 +24,25 @@ fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
 
 // Smaller eigenvalue of the chop's gradient, summed over the cascades, at a rest point; waves below the footprint left out.
 fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
-    let found = weights_of_first(p, now.cells);
+    let cells = serving(p, now.cells);
     let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < now.cells; i++) {
-        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
-        if w <= 0.0 { continue; }
-        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
-        var own = vec3f(0.0);
+    for (var s = 0u; s < cells.count; s++) {
+        let node = cells.node[s];
+        let q = in_plane(node, p);
         for (var c = 0u; c < frame.cascade_count; c++) {
             let length = frame.patches[c];
             if length < SHORTEST_TILE_TEXELS * footprint { continue; }
-            let uv = tile_uv(local, i, c, texels);
             let lod = mip_for(footprint, length, texels);
-            own += textureSampleLevel(stretches, repeated, uv, c, lod).xyz;
+            let triangle = triangle_around(node, c, frame.spacings[c], q);
+            for (var k = 0u; k < 3u; k++) {
+                let w = cells.weight[s] * triangle.weights[k];
+                if w <= 0.0 { continue; }
+                let here = cascade_placement(node, c, triangle, k, texels);
+                let own = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
+                sum += turned(w * own, here.axis_x, here.axis_y);
+            }
         }
-        sum += w * turned(own, nodes[i].axis_x.xy, nodes[i].axis_y.xy);
     }
     return 0.5 * (sum.x + sum.y) - length(vec2f(0.5 * (sum.x - sum.y), sum.z));
 }

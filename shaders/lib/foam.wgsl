@@ -7,9 +7,9 @@
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
 
-// Rest coordinates about the eye in the foam map's frame, metres.
+// Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {
-    return vec2f(dot(p, nodes[0].axis_x), dot(p, nodes[0].axis_y));
+    return in_plane(0u, p);
 }
 
 // Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for.
@@ -56,9 +56,9 @@ fn lattice_value(cell: vec2i, salt: u32) -> f32 {
     return f32(hash(vec3u(bitcast<vec2u>(cell), salt)) >> 8u) / 16777216.0;
 }
 
-// Value noise, 0…1, fixed to the water, in cells of 2^octave texels of the finest square; `texels` from the corner of the eye's.
+// Value noise, 0…1, fixed to the water, in cells of 2^octave texels of the lace; `texels` from the corner of the eye's.
 fn foam_noise(texels: vec2f, octave: i32) -> f32 {
-    let origin = frame.foam_levels[0].texel;
+    let origin = frame.lace_texel;
     var corner = origin * (1 << u32(max(-octave, 0)));
     var v = texels * exp2(f32(-octave));
     if octave > 0 {
@@ -80,10 +80,12 @@ fn foam_noise(texels: vec2f, octave: i32) -> f32 {
 fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let blurred = smoothstep(5.0, 25.0, footprint);
     if share < 0.003 || blurred >= 1.0 { return share; }
-    let square = frame.foam_levels[0];
+    let side = frame.foam_levels[0].side;
     // Flecks are longer across the wind, as crests are.
-    let texels = square.fraction + at / square.side * vec2f(1.0, 0.5);
-    let scale = clamp(log2(5.0 * footprint / square.side), 0.0, 6.0);
+    let wind = nodes[0].wind;
+    let along = vec2f(-wind.x * at.x - wind.y * at.y, 0.5 * (wind.y * at.x - wind.x * at.y));
+    let texels = frame.lace_fraction + along / side;
+    let scale = clamp(log2(5.0 * footprint / side), 0.0, 6.0);
     let octave = i32(floor(scale));
     let fine = foam_noise(texels, octave - 1);
     let middle = foam_noise(texels, octave);

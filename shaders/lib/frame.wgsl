@@ -8,7 +8,7 @@ alias Metres = f32;
 const FOAM_LEVELS = 4u;
 const FOAM_TEXELS: i32 = 256;     // along a side of a square of the foam map
 
-// A square of the foam map; its texels are fixed in the frame of the first wave cell.
+// A square of the foam map; its texels are fixed in the plane of the first wave cell.
 struct FoamLevel {
     texel: vec2i,              // that the eye is in
     fraction: vec2f,           // of a texel from its corner to the eye
@@ -64,6 +64,13 @@ struct Frame {
     foam_rule: u32,            // 0 where the chop folds, 1 on high water
     perlin_patch: Metres,
     patches: vec4f,            // patch lengths of the cascades, metres
+    spacings: vec4f,           // spacings of their lattices
+    lace_texel: vec2i,         // of the eye in the foam's lace, which is aligned with the wind, and the way into it
+    lace_fraction: vec2f,
+    perlin_spacing: Metres,
+    unused_a: f32,
+    unused_b: f32,
+    unused_c: f32,
     node_count: u32,
     layers: u32,               // bit 0 land, 1 sea, 2 sky
     output: u32,               // 0 the picture, else a measured layer
@@ -80,17 +87,26 @@ struct Frame {
     foam_levels: array<FoamLevel, FOAM_LEVELS>,
 }
 
-// One cell of the wave domain: where its tiles lie, how they are turned, where they start.
+// Where the lattice of a tile lies: a vertex near the eye, and the way from it to the eye in the cell's plane, metres.
+struct WaveAnchor {
+    vertex: vec2i,
+    eye: vec2f,
+}
+
+const TILES = 5u;              // that have a lattice: the cascades, then the Perlin tile
+
+// One cell of the wave domain: its plane about the eye, and the tiles' lattices in it. North at (x, y) metres from its centre is along
+// (-x turn, cos_lat - y turn).
 struct WaveNode {
-    origin: vec3f,             // local
-    unused_a: f32,
-    axis_x: vec3f,             // local; the direction waves travel to
-    unused_b: f32,
-    axis_y: vec3f,
-    unused_c: f32,
-    // Tile coordinates of the eye, one pair per cascade, then the Perlin tile; metres, reduced to one period.
-    starts: array<vec4f, 2>,
-    perlin_start: vec4f,
+    origin: vec3f,             // its centre, local
+    cos_lat: f32,
+    axis_x: vec3f,             // local; east at the centre
+    turn: f32,
+    axis_y: vec3f,             // north at the centre
+    key: u32,                  // random bits
+    wind: vec2f,               // sine and cosine of the bearing that the wind comes from
+    polar_north: vec2f,        // direction that stands for north at a pole
+    anchors: array<WaveAnchor, TILES>,
 }
 
 const MAX_NODES = 24u;

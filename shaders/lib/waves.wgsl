@@ -1,5 +1,5 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
-#import ellipsoid
+#import domain
 
 // displacements: (Dx, Dy, height, 0); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, 0);
 // one layer per cascade.
@@ -8,8 +8,6 @@
 @group(1) @binding(2) var stretches: texture_2d_array<f32>;
 @group(1) @binding(3) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, hx hx + hy hy)
 
-const BLEND_WIDTH: Metres = 9000.0;
-
 // Weights of the FFT and the Perlin field; their squares sum to one, so that the variance stays.
 fn mix_weights(distance: Metres) -> vec2f {
     let r = clamp((distance - frame.mix_near) / (frame.mix_far - frame.mix_near), 0.0, 1.0);
@@ -17,39 +15,11 @@ fn mix_weights(distance: Metres) -> vec2f {
     return vec2f(sqrt(1.0 - perlin_energy), sqrt(perlin_energy));
 }
 
-struct NodeWeights { nearest: f32, norm: f32 }
-
-fn node_distance(index: u32, p: vec3f) -> f32 {
-    return length(p - nodes[index].origin);
-}
-
-// A cell serves up to BLEND_WIDTH beyond the nearest one; squares of the normalised weights sum to one.
-fn node_weight(distance: f32, nearest: f32) -> f32 {
-    return smoothstep(0.0, 1.0, 1.0 - (distance - nearest) / BLEND_WIDTH);
-}
-
-fn node_weights(p: vec3f) -> NodeWeights { return weights_of_first(p, frame.node_count); }
-
-// Of the first `count` cells, which are the nearest to the eye.
-fn weights_of_first(p: vec3f, count: u32) -> NodeWeights {
-    var nearest = 1e30;
-    for (var i = 0u; i < count; i++) { nearest = min(nearest, node_distance(i, p)); }
-    var sum = 0.0;
-    for (var i = 0u; i < count; i++) {
-        let w = node_weight(node_distance(i, p), nearest);
-        sum += w * w;
-    }
-    return NodeWeights(nearest, inverseSqrt(max(sum, 1e-6)));
-}
-
-fn tile_start(index: u32, cascade: u32) -> vec2f {
-    let pair = nodes[index].starts[cascade >> 1u];
-    return select(pair.xy, pair.zw, (cascade & 1u) == 1u);
-}
-
-// Sample n of a tile stands at n / N of its length, a texel's centre at (n + 1/2) / N.
-fn tile_uv(local: vec2f, index: u32, cascade: u32, texels: f32) -> vec2f {
-    return (local + tile_start(index, cascade)) / frame.patches[cascade] + 0.5 / texels;
+// A cascade's tile as a vertex lays it: sample n of it stands at n / N of its length, a texel's centre at (n + 1/2) / N.
+fn cascade_placement(node: u32, cascade: u32, triangle: Triangle, k: u32, texels: f32) -> Placement {
+    var found = placement(node, cascade, frame.spacings[cascade], frame.patches[cascade], triangle, k);
+    found.at += 0.5 / texels;
+    return found;
 }
 
 // Mip level at which a texel is as wide as `footprint`.
@@ -66,35 +36,41 @@ fn any_resolvable(footprint: Metres) -> bool {
     return resolvable(footprint, max(frame.patches.x, frame.perlin_patch)) > 0.0;
 }
 
-// Displacement (east, north, up) of the rest point `p`.
+// Displacement (east, north, up) of the rest point `p`. A tile's axes lie in the plane of its cell's centre; here the water moves level.
 fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     if !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
-    let found = node_weights(p);
+    let cells = serving(p, frame.node_count);
     let texels = f32(textureDimensions(displacements).x);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.node_count; i++) {
-        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
-        if w <= 0.0 { continue; }
-        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
-        var own = vec3f(0.0);
-        if weights.x > 0.0 {
-            for (var c = 0u; c < frame.cascade_count; c++) {
-                let length = frame.patches[c];
-                let fade = resolvable(footprint, length);
-                if fade <= 0.0 { continue; }
-                let uv = tile_uv(local, i, c, texels);
-                own += fade * textureSampleLevel(displacements, repeated, uv, c, mip_for(footprint, length, texels)).xyz;
+    for (var s = 0u; s < cells.count; s++) {
+        let node = cells.node[s];
+        let q = in_plane(node, p);
+        for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
+            let length = frame.patches[c];
+            let fade = resolvable(footprint, length);
+            if fade <= 0.0 { continue; }
+            let lod = mip_for(footprint, length, texels);
+            let triangle = triangle_around(node, c, frame.spacings[c], q);
+            for (var k = 0u; k < 3u; k++) {
+                let w = cells.weight[s] * triangle.weights[k] * weights.x * fade;
+                if w <= 0.0 { continue; }
+                let here = cascade_placement(node, c, triangle, k, texels);
+                let own = w * textureSampleLevel(displacements, repeated, here.at, c, lod).xyz;
+                sum += vec3f(frame.chop * (own.x * here.axis_x + own.y * here.axis_y), own.z);
             }
-            own *= weights.x * vec3f(frame.chop, frame.chop, 1.0);
         }
-        if weights.y > 0.0 {
-            let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
+        let fade = weights.y * resolvable(footprint, frame.perlin_patch);
+        if fade > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            own.z += weights.y * resolvable(footprint, frame.perlin_patch) * textureSampleLevel(perlin, repeated, uv, lod).x;
+            let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
+            for (var k = 0u; k < 3u; k++) {
+                let w = cells.weight[s] * triangle.weights[k] * fade;
+                if w <= 0.0 { continue; }
+                let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
+                sum.z += w * textureSampleLevel(perlin, repeated, here.at, lod).x;
+            }
         }
-        // The cell's axes lie in the plane of its centre; here the water moves level.
-        sum += w * vec3f(own.x * nodes[i].axis_x.xy + own.y * nodes[i].axis_y.xy, own.z);
     }
     // Energies, and so the mean level, go with the squares of the weights.
     sum.z -= weights.x * weights.x * frame.chop_level;
@@ -127,55 +103,55 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
     if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
-    let found = node_weights(p);
+    let cells = serving(p, frame.node_count);
     let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
     var gradient = vec3f(0.0);    // of the chop, in east-north axes
-    var rough = vec2f(0.0);
-    for (var i = 0u; i < frame.node_count; i++) {
-        let w = node_weight(node_distance(i, p), found.nearest) * found.norm;
-        if w <= 0.0 { continue; }
-        let ax = nodes[i].axis_x.xy;
-        let ay = nodes[i].axis_y.xy;
-        let local = vec2f(dot(p, nodes[i].axis_x), dot(p, nodes[i].axis_y));
-        var own = vec2f(0.0);
-        if weights.x > 0.0 {
-            var tilt = vec2f(0.0);
-            var stretch = vec3f(0.0);
-            var hidden = frame.below_slopes;
-            for (var c = 0u; c < frame.cascade_count; c++) {
-                let length = frame.patches[c];
-                let fade = resolvable(footprint, length);
-                if fade <= 0.0 {
-                    hidden += cascade_slopes(c);
-                    continue;
-                }
-                let uv = tile_uv(local, i, c, texels);
-                let lod = mip_for(footprint, length, texels);
-                let means = textureSampleLevel(slopes, repeated, uv, c, lod);
-                let here = fade * means.xy;
-                tilt += here;
-                stretch += fade * textureSampleLevel(stretches, repeated, uv, c, lod).xyz;
-                hidden += max(means.zw - here * here, vec2f(0.0));
+    // Squares of all weights sum to one: what no tile shows counts once.
+    let near = weights.x * weights.x;
+    let far = weights.y * weights.y;
+    var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
+    for (var s = 0u; s < cells.count; s++) {
+        let node = cells.node[s];
+        let q = in_plane(node, p);
+        for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
+            let length = frame.patches[c];
+            let fade = resolvable(footprint, length);
+            if fade <= 0.0 {
+                rough += near * cells.weight[s] * cells.weight[s] * cascade_slopes(c);
+                continue;
             }
-            own += weights.x * tilt;
-            gradient += turned(w * weights.x * frame.chop * stretch, ax, ay);
-            rough += w * w * weights.x * weights.x * hidden;
+            let lod = mip_for(footprint, length, texels);
+            let triangle = triangle_around(node, c, frame.spacings[c], q);
+            for (var k = 0u; k < 3u; k++) {
+                let w = cells.weight[s] * triangle.weights[k] * weights.x;
+                if w <= 0.0 { continue; }
+                let here = cascade_placement(node, c, triangle, k, texels);
+                let means = textureSampleLevel(slopes, repeated, here.at, c, lod);
+                let shown = fade * means.xy;
+                slope += w * (shown.x * here.axis_x + shown.y * here.axis_y);
+                rough += w * w * max(means.zw - shown * shown, vec2f(0.0));
+                let stretch = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
+                gradient += turned(w * fade * frame.chop * stretch, here.axis_x, here.axis_y);
+            }
         }
         if weights.y > 0.0 {
-            let uv = (local + nodes[i].perlin_start.xy) / frame.perlin_patch;
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             let fade = resolvable(footprint, frame.perlin_patch);
-            let noise = textureSampleLevel(perlin, repeated, uv, lod);
-            let here = fade * noise.yz;
-            own += weights.y * here;
-            // The tile holds the sum of both axes' squares; its own slopes say how they share it.
-            let own_slopes = frame.perlin_slopes.zw;
-            let total = mix(own_slopes.x + own_slopes.y, noise.w, fade);
-            let hidden = max(total - dot(here, here), 0.0) * own_slopes / max(own_slopes.x + own_slopes.y, 1e-9);
-            rough += w * w * weights.y * weights.y * (frame.perlin_slopes.xy + hidden);
+            let own = frame.perlin_slopes.zw;
+            let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
+            for (var k = 0u; k < 3u; k++) {
+                let w = cells.weight[s] * triangle.weights[k] * weights.y;
+                if w <= 0.0 { continue; }
+                let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
+                let noise = textureSampleLevel(perlin, repeated, here.at, lod);
+                let shown = fade * noise.yz;
+                slope += w * (shown.x * here.axis_x + shown.y * here.axis_y);
+                // The tile holds the sum of both axes' squares; its own slopes say how they share it.
+                let total = mix(own.x + own.y, noise.w, fade);
+                rough += w * w * max(total - dot(shown, shown), 0.0) * own / max(own.x + own.y, 1e-9);
+            }
         }
-        slope += w * (own.x * ax + own.y * ay);
     }
     // slope = (I + grad D)^-T grad eta, so that the chop steepens the crests.
     let jxx = 1.0 + gradient.x;

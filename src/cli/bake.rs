@@ -1,6 +1,6 @@
 //! `ocean-globe bake`: an elevation grid and a land mask become the bundled world, six PMTiles archives.
 //!
-//! The mask decides what is sea ([`mask`], [`water`]); elevation follows it ([`elevation`], [`terrain`]). The same input
+//! The mask decides what is sea (`mask`, `water`); elevation follows it (`elevation`, `terrain`). The same input
 //! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
 //! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
 

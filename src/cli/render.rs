@@ -10,7 +10,6 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::settings::Mesh;
 use crate::scene::view_state::ViewState;
 
 /// Draw a view into a PNG, a flight into numbered PNGs, or measure a view into a NumPy array.
@@ -131,7 +130,7 @@ pub fn parse_state(text: &str) -> Result<ViewState> {
 /// Keys of a state that links carry and this version does not draw.
 fn not_drawn(state: &ViewState) -> Vec<&'static str> {
     let settings = &state.settings;
-    let keys = [("spectrum", !settings.spectrum.is_drawn()), ("mesh", settings.mesh != Mesh::default())];
+    let keys = [("spectrum", !settings.spectrum.is_drawn())];
     keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
 
@@ -186,6 +185,8 @@ pub fn draw(
     let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
     if output == Output::Picture {
         renderer.settle(&frame);
+    } else {
+        renderer.settle_mesh(&frame);
     }
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     renderer.render(&mut encoder, &frame, &crate::gpu::texture::view(&target));

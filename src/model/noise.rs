@@ -31,3 +31,14 @@ pub fn gaussian_pair(seed: u32, cascade: u32, i: i32, j: i32) -> [f64; 2] {
     let (sin, cos) = libm::sincos(std::f64::consts::TAU * unit(angle));
     [radius * cos, radius * sin]
 }
+
+/// One random word for three: PCG3D ([Jarzynski and Olano](crate::bibliography::Jarzynski2020)), one word of it; as in
+/// `shaders/lib/hash.wgsl`.
+pub fn hash(p: [u32; 3]) -> u32 {
+    let [mut x, mut y, mut z] = p.map(|word| word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
+    x = x.wrapping_add(y.wrapping_mul(z));
+    y = y.wrapping_add(z.wrapping_mul(x));
+    z = z.wrapping_add(x.wrapping_mul(y));
+    [x, y, z] = [x, y, z].map(|word| word ^ (word >> 16));
+    x.wrapping_add(y.wrapping_mul(z))
+}

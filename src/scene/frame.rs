@@ -5,13 +5,15 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 
+use super::bisection::Bisection;
 use super::camera::{Camera, FIELD_OF_VIEW_Y};
 use super::foam::{self, FoamEye, Whitecaps};
 use super::layers::Layer;
 use super::ride::surface_height;
 use super::sea::SeaTables;
-use super::settings::{FoamRule, Settings};
-use super::wave_domain::{self, Cell, MAX_NODES};
+use super::settings::{FoamRule, Mesh, Settings};
+use super::wave_domain::{self, MAX_NODES};
+use super::wave_nodes::{self, WaveNode};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::{sea_state, sun};
@@ -40,21 +42,6 @@ pub enum Output {
     Class = 6,
     /// Weight of the Perlin field in the mix.
     PerlinWeight = 7,
-}
-
-/// One cell of the wave domain for the GPU; mirrors `WaveNode` in `shaders/lib/frame.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-#[expect(missing_docs, reason = "documented where the shader declares them")]
-pub struct WaveNode {
-    pub origin: Vec3,
-    pub unused_a: f32,
-    pub axis_x: Vec3,
-    pub unused_b: f32,
-    pub axis_y: Vec3,
-    pub unused_c: f32,
-    pub starts: [Vec4; 2],
-    pub perlin_start: Vec4,
 }
 
 /// A square of the foam map for the GPU; mirrors `FoamLevel` in `shaders/lib/frame.wgsl`.
@@ -117,6 +104,13 @@ pub struct FrameUniform {
     pub foam_rule: u32,
     pub perlin_patch: f32,
     pub patches: Vec4,
+    pub spacings: Vec4,
+    pub lace_texel: [i32; 2],
+    pub lace_fraction: [f32; 2],
+    pub perlin_spacing: f32,
+    pub unused_a: f32,
+    pub unused_b: f32,
+    pub unused_c: f32,
     pub node_count: u32,
     pub layers: u32,
     pub output: u32,
@@ -149,6 +143,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
+    /// Where the bisected mesh shall be refined, when it is drawn.
+    pub bisection: Option<Bisection>,
     /// The block for the GPU.
     pub uniform: FrameUniform,
     /// The wave cells around the eye.
@@ -170,7 +166,8 @@ impl Frame {
         set_map(&mut uniform, camera);
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
-        let (nodes, foam_eye) = wave_nodes(&mut uniform, settings, camera, &sea);
+        let (nodes, count, foam_eye) = wave_nodes::around(&uniform, settings, camera, &sea);
+        uniform.node_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
         let lowest_m = -1.2 * sea.sea.hs_m;
         let below = camera.altitude_m < 0.0
@@ -178,7 +175,19 @@ impl Frame {
         uniform.under_water = u32::from(below);
         let whitecaps = Whitecaps::of(settings, &sea);
         let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
-        Self { camera: *camera, size, unix_seconds, sea, foam_eye, whitecaps, foam_lifetime_s, uniform, nodes }
+        let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
+        Self {
+            camera: *camera,
+            size,
+            unix_seconds,
+            sea,
+            foam_eye,
+            whitecaps,
+            foam_lifetime_s,
+            bisection,
+            uniform,
+            nodes,
+        }
     }
 
     /// The same frame, reporting a measured layer instead of the picture.
@@ -294,6 +303,8 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.mix_far = MIX_FAR_M as f32;
     u.perlin_patch = sea.perlin.patch_m as f32;
     u.patches = Vec4::from(sea.cascades.map(|cascade| cascade.patch_m as f32));
+    u.spacings = Vec4::from(sea.cascades.map(|cascade| wave_domain::spacing_m(cascade.patch_m) as f32));
+    u.perlin_spacing = wave_domain::spacing_m(sea.perlin.patch_m) as f32;
     u.cascade_count = sea.cascades.len() as u32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
     u.layers = shows(Layer::Land, 1) | shows(Layer::Sea, 2) | shows(Layer::Sky, 4);
@@ -320,6 +331,7 @@ fn set_foam(
         let (threshold, softness) = (fold.threshold.max(-1e9) as f32, fold.softness as f32);
         *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, softness, unused: 0 };
     }
+    (u.lace_texel, u.lace_fraction) = eye.lace(settings.wind.from_deg.to_radians());
     let shown = whitecaps.share > 1e-6 && camera.altitude_m < foam::HIGHEST_M;
     // The numbers of `shaders/lib/foam.wgsl`: the map, the height, the share alone.
     u.foam_rule = match settings.foam.rule {
@@ -328,55 +340,4 @@ fn set_foam(
         FoamRule::Folding => 2,
     };
     (u.foam_rule == 0).then_some(settings.foam.lifetime_s)
-}
-
-fn wave_nodes(
-    u: &mut FrameUniform,
-    settings: &Settings,
-    camera: &Camera,
-    sea: &SeaTables,
-) -> ([WaveNode; MAX_NODES], FoamEye) {
-    let eye = camera.eye_ecef();
-    let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
-    let mut cells = wave_domain::cells_near(camera.lat, camera.lon);
-    // A cell can serve a point no farther than the horizon only if it is not much farther from the eye's foot than the nearest.
-    let foot = Camera { altitude_m: 0.0, ..*camera }.eye_ecef();
-    let reach = 1.2 * WGS84.horizon_distance(camera.altitude_m.max(20.0)) + 10_000.0;
-    let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
-    cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
-    u.node_count = cells.len() as u32;
-    let wind_from = settings.wind.from_deg.to_radians();
-    let in_cell = |cell: &Cell| {
-        let (x, y) = cell.axes(wind_from);
-        DVec2::new((eye - cell.centre).dot(x), (eye - cell.centre).dot(y))
-    };
-    let node = |cell: &Cell| {
-        let (x, y) = cell.axes(wind_from);
-        let eye_in_cell = in_cell(cell);
-        let start = |tile: u32, patch_m: f64| {
-            let at = eye_in_cell + cell.offset(settings.seed, tile, patch_m);
-            DVec2::new(at.x.rem_euclid(patch_m), at.y.rem_euclid(patch_m)).as_vec2()
-        };
-        let cascade = |i: usize| start(i as u32, sea.cascades[i].patch_m);
-        let pair = |i: usize| Vec4::from((cascade(i), cascade(i + 1)));
-        WaveNode {
-            origin: (enu_from_ecef * (cell.centre - eye)).as_vec3(),
-            axis_x: (enu_from_ecef * x).as_vec3(),
-            axis_y: (enu_from_ecef * y).as_vec3(),
-            starts: [pair(0), pair(2)],
-            perlin_start: Vec4::from((start(15, sea.perlin.patch_m), Vec2::ZERO)),
-            ..WaveNode::default()
-        }
-    };
-    let mut nodes = [WaveNode::default(); MAX_NODES];
-    for (slot, cell) in nodes.iter_mut().zip(&cells) {
-        *slot = node(cell);
-    }
-    let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
-        frame: (cell.address, wind_from.to_bits()),
-        at: in_cell(cell),
-        cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
-        finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
-    });
-    (nodes, foam_eye)
 }

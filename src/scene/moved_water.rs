@@ -8,7 +8,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use super::sea::SeaTables;
 use super::settings::Settings;
-use super::wave_domain::{self, Cell, cells_near};
+use super::wave_domain::{self, Cell, Plane, cells_near};
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::surface::ChopGradient;
 use crate::model::waves::CASCADES;
@@ -58,20 +58,14 @@ impl Motion {
     }
 }
 
-/// A cell seen from a place: its axes, and where its tiles start.
-struct Serving {
-    cell: Cell,
-    axes: [DVec3; 2],
-    level_axes: [DVec2; 2],
-    offsets: [DVec2; CASCADES],
-}
-
 /// A place on the ellipsoid with the cells around it. Points near it are metres east and north of it.
 pub struct Place {
     foot: DVec3,
     ecef_from_enu: DMat3,
     cells: Vec<Cell>,
-    serving: Vec<Serving>,
+    /// Those that serve here, by their addresses, with the planes' axes as they are level here.
+    serving: Vec<([i32; 3], Plane, [DVec2; 2])>,
+    patches_m: [f64; CASCADES],
 }
 
 impl Place {
@@ -81,33 +75,28 @@ impl Place {
         let enu_from_ecef = ecef_from_enu.transpose();
         let foot = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
         let cells = cells_near(lat, lon);
-        let from = settings.wind.from_deg.to_radians();
         let serving = wave_domain::blend(&cells, foot).into_iter().map(|(cell, _)| {
-            let (x, y) = cell.axes(from);
-            Serving {
-                cell: *cell,
-                axes: [x, y],
-                level_axes: [x, y].map(|axis| (enu_from_ecef * axis).truncate()),
-                offsets: std::array::from_fn(|i| cell.offset(settings.seed, i as u32, tables.cascades[i].patch_m)),
-            }
+            let plane = Plane::new(settings, cell);
+            (cell.address, plane, plane.axes.map(|axis| (enu_from_ecef * axis).truncate()))
         });
-        Self { foot, ecef_from_enu, serving: serving.collect(), cells }
+        let patches_m = tables.cascades.map(|cascade| cascade.patch_m);
+        Self { foot, ecef_from_enu, serving: serving.collect(), cells, patches_m }
     }
 
     /// The motion of the point at rest `rest` metres east and north. `tile` gives that of a cascade at its own coordinates, m.
-    fn motion(&self, rest: DVec2, mut tile: impl FnMut(usize, DVec2) -> Motion) -> Motion {
+    pub fn motion(&self, rest: DVec2, mut tile: impl FnMut(usize, DVec2) -> Motion) -> Motion {
         let point = self.foot + self.ecef_from_enu * rest.extend(0.0);
         let weights = wave_domain::blend(&self.cells, point);
         let mut sum = Motion::default();
-        for Serving { cell, axes: [x, y], level_axes, offsets } in &self.serving {
-            let Some(&(_, weight)) = weights.iter().find(|(found, _)| found.address == cell.address) else { continue };
-            let away = point - cell.centre;
-            let at = DVec2::new(away.dot(*x), away.dot(*y));
-            let mut own = Motion::default();
-            for (index, offset) in offsets.iter().enumerate() {
-                own += tile(index, at + *offset);
+        for (address, plane, [x, y]) in &self.serving {
+            let Some(&(_, weight)) = weights.iter().find(|(found, _)| found.address == *address) else { continue };
+            let at = plane.point(point);
+            for (index, patch_m) in self.patches_m.into_iter().enumerate() {
+                for placed in plane.placements(index, patch_m, at) {
+                    let [along, left] = placed.axes.map(|axis| axis.x * *x + axis.y * *y);
+                    sum += tile(index, placed.at).turned(along, left, weight * placed.weight);
+                }
             }
-            sum += own.turned(level_axes[0], level_axes[1], weight);
         }
         sum
     }

@@ -1,0 +1,112 @@
+// Where a point of the sea lies in the wave tiles: which cells serve it, which vertices of a tile's lattice in a cell's plane, and where
+// each of them lays the tile. A drawing and the reasons: src/scene/wave_domain.rs, which does the same in f64.
+#import ellipsoid
+#import hash
+
+const BLEND_WIDTH: Metres = 9000.0;
+const LEAST_SHARE: f32 = 0.2;
+const ROW: f32 = 0.875;
+const POLAR_REACH: f32 = 0.0133;
+const PERLIN_TILE = 4u;
+
+// Cells that serve a point, and weights whose squares sum to one; no more than four meet anywhere.
+const MOST_CELLS = 4u;
+struct Serving {
+    count: u32,
+    node: array<u32, MOST_CELLS>,
+    weight: array<f32, MOST_CELLS>,
+}
+
+// Of the first `count` cells, which are the nearest to the eye; one serves up to BLEND_WIDTH beyond the nearest to the point.
+fn serving(p: vec3f, count: u32) -> Serving {
+    var found: Serving;
+    if count == 1u {
+        found.count = 1u;
+        found.weight[0] = 1.0;
+        return found;
+    }
+    var nearest = 1e30;
+    for (var i = 0u; i < count; i++) { nearest = min(nearest, distance(p, nodes[i].origin)); }
+    var squares = 0.0;
+    for (var i = 0u; i < count; i++) {
+        let w = smoothstep(0.0, 1.0, 1.0 - (distance(p, nodes[i].origin) - nearest) / BLEND_WIDTH);
+        if w <= 0.0 || found.count == MOST_CELLS { continue; }
+        found.node[found.count] = i;
+        found.weight[found.count] = w;
+        found.count++;
+        squares += w * w;
+    }
+    for (var i = 0u; i < found.count; i++) { found.weight[i] *= inverseSqrt(squares); }
+    return found;
+}
+
+// A point in a cell's plane, metres about the eye.
+fn in_plane(node: u32, p: vec3f) -> vec2f {
+    return vec2f(dot(p, nodes[node].axis_x), dot(p, nodes[node].axis_y));
+}
+
+// The triangle of a lattice around a point.
+struct Triangle {
+    corner: vec2i,             // vertex at the lattice cell's origin
+    arm: vec2f,                // from it to the point, metres
+    down: bool,                // which half of the lattice cell
+    weights: vec3f,            // of the vertices; squares sum to one
+}
+
+// `q` in the plane of cell `node`, metres about the eye.
+fn triangle_around(node: u32, tile: u32, spacing: Metres, q: vec2f) -> Triangle {
+    let anchor = nodes[node].anchors[tile];
+    let r = anchor.eye + q;
+    let v = r.y / (ROW * spacing);
+    let u = r.x / spacing - 0.5 * v;
+    let low = floor(vec2f(u, v));
+    let f = vec2f(u, v) - low;
+    let down = f.x + f.y >= 1.0;
+    let shares = select(vec3f(1.0 - f.x - f.y, f), vec3f(f.x + f.y - 1.0, 1.0 - f), down);
+    let weights = max(shares - LEAST_SHARE, vec3f(0.0));
+    // Spacings have six significant bits: these multiples are exact.
+    let corner = vec2f((low.x + 0.5 * low.y) * spacing, low.y * ROW * spacing);
+    return Triangle(anchor.vertex + vec2i(low), r - corner, down, weights * inverseSqrt(dot(weights, weights)));
+}
+
+// North at a place of a cell's plane, metres from its centre; a unit vector.
+fn north_at(node: u32, place: vec2f) -> vec2f {
+    let v = vec2f(-place.x * nodes[node].turn, nodes[node].cos_lat - place.y * nodes[node].turn);
+    let from_pole = length(v);
+    var north = v / max(from_pole, 1e-9);
+    if from_pole < POLAR_REACH {
+        let polar = nodes[node].polar_north;
+        north = mix(polar, north, smoothstep(0.0, POLAR_REACH, from_pole));
+        let size = length(north);
+        if size < 1e-3 { return polar; }
+        north /= size;
+    }
+    // Division and square root may err by some 3e-7; a step of Newton's leaves rounding.
+    return north * (1.5 - 0.5 * dot(north, north));
+}
+
+// A tile as one vertex lays it under a point.
+struct Placement {
+    at: vec2f,                 // in the tile, tile lengths
+    axis_x: vec2f,             // its axes, level, east and north at the eye; x where the waves travel to
+    axis_y: vec2f,
+}
+
+fn placement(node: u32, tile: u32, spacing: Metres, patch_length: Metres, triangle: Triangle, k: u32) -> Placement {
+    let one = vec2i(i32(k == 1u), i32(k == 2u));
+    let step = select(one, vec2i(1) - one, triangle.down);
+    let vertex = triangle.corner + step;
+    let arm = triangle.arm - spacing * vec2f(f32(step.x) + 0.5 * f32(step.y), ROW * f32(step.y));
+    let at = vec2f(vertex);
+    let north = north_at(node, spacing * vec2f(at.x + 0.5 * at.y, ROW * at.y));
+    // Turned so that north is y. The difference from the arm itself is small but near a pole, and so is its error.
+    let less = select(north.y - 1.0, -north.x * north.x / (1.0 + north.y), north.y > 0.0);
+    let level = arm + vec2f(less * arm.x - north.x * arm.y, north.x * arm.x + less * arm.y);
+    let wind = nodes[node].wind;
+    let along = vec2f(-wind.x * level.x - wind.y * level.y, wind.y * level.x - wind.x * level.y);
+    let bits = hash(vec3u(bitcast<vec2u>(vertex), nodes[node].key + tile * 0x9E3779B9u));
+    let offset = vec2f(f32(bits >> 16u), f32(bits & 0xFFFFu)) / 65536.0;
+    let plane = mat2x2f(nodes[node].axis_x.xy, nodes[node].axis_y.xy);
+    let east = vec2f(north.y, -north.x);
+    return Placement(along / patch_length + offset, plane * (-wind.x * east - wind.y * north), plane * (wind.y * east - wind.x * north));
+}

@@ -1,0 +1,89 @@
+//! The wave domain about an eye, as the GPU sees it: the cells that serve what is seen, with the lattices' vertices next to the eye.
+//!
+//! Integers carry the place on earth: a lattice vertex near the eye and the way from it, at most some kilometres, are exact to a
+//! fraction of a millimetre in 32 bits.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+
+use super::camera::Camera;
+use super::foam::{self, FoamEye};
+use super::frame::FrameUniform;
+use super::sea::SeaTables;
+use super::settings::Settings;
+use super::wave_domain::{self, Cell, MAX_NODES, PERLIN_TILE, Plane, TILES};
+use crate::model::earth::{self, WGS84};
+
+/// Where the lattice of a tile lies; mirrors `WaveAnchor` in `shaders/lib/frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct WaveAnchor {
+    pub vertex: [i32; 2],
+    pub eye: Vec2,
+}
+
+/// One cell of the wave domain for the GPU; mirrors `WaveNode` in `shaders/lib/frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "documented where the shader declares them")]
+pub struct WaveNode {
+    pub origin: Vec3,
+    pub cos_lat: f32,
+    pub axis_x: Vec3,
+    pub turn: f32,
+    pub axis_y: Vec3,
+    pub key: u32,
+    pub wind: Vec2,
+    pub polar_north: Vec2,
+    pub anchors: [WaveAnchor; TILES],
+}
+
+/// The cells that may serve what the eye sees, nearest first, how many they are, and the eye in the foam map.
+pub fn around(
+    u: &FrameUniform,
+    settings: &Settings,
+    camera: &Camera,
+    sea: &SeaTables,
+) -> ([WaveNode; MAX_NODES], u32, FoamEye) {
+    let eye = camera.eye_ecef();
+    let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
+    let mut cells = wave_domain::cells_near(camera.lat, camera.lon);
+    // A cell can serve a point no farther than the horizon only if it is not much farther from the eye's foot than the nearest.
+    let foot = Camera { altitude_m: 0.0, ..*camera }.eye_ecef();
+    let reach = 1.2 * WGS84.horizon_distance(camera.altitude_m.max(20.0)) + 10_000.0;
+    let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
+    cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
+    let patch_m = |tile: usize| if tile == PERLIN_TILE { sea.perlin.patch_m } else { sea.cascades[tile].patch_m };
+    let node = |cell: &Cell| {
+        let plane = Plane::new(settings, cell);
+        let eye_in_plane = plane.point(eye);
+        let anchor = |tile: usize| {
+            let spacing = wave_domain::spacing_m(patch_m(tile));
+            let (vertex, way) = wave_domain::anchor(eye_in_plane / spacing);
+            WaveAnchor { vertex, eye: (spacing * way).as_vec2() }
+        };
+        WaveNode {
+            origin: (enu_from_ecef * (plane.centre - eye)).as_vec3(),
+            cos_lat: plane.cos_lat as f32,
+            axis_x: (enu_from_ecef * plane.axes[0]).as_vec3(),
+            turn: plane.turn as f32,
+            axis_y: (enu_from_ecef * plane.axes[1]).as_vec3(),
+            key: plane.key,
+            wind: plane.wind.as_vec2(),
+            polar_north: plane.polar_north.as_vec2(),
+            anchors: std::array::from_fn(anchor),
+        }
+    };
+    let mut nodes = [WaveNode::default(); MAX_NODES];
+    for (slot, cell) in nodes.iter_mut().zip(&cells) {
+        *slot = node(cell);
+    }
+    let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
+        frame: (cell.address, wave_domain::wind_from(settings, cell).to_bits()),
+        at: Plane::new(settings, cell).point(eye),
+        cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
+        finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
+    });
+    (nodes, cells.len() as u32, foam_eye)
+}
