@@ -1,6 +1,7 @@
-// The sea: a grid even on the screen, cast onto the ellipsoid from the eye, or, where crests may stand higher than the eye,
-// from a projector raised above the highest; moved by the waves along the
-// ellipsoid's normal, shaded over what the land pass left. The water class decides what is sea, never the depth buffer.
+// The sea: either mesh, moved by the waves along the ellipsoid's normal, shaded over what the land pass left. The water class
+// decides what is sea, never the depth buffer.
+#import projected_grid
+#import bisected_mesh
 #import world
 #import foam
 #import water
@@ -16,70 +17,13 @@ struct Vertex {
     @location(2) height: f32,
 }
 
-// Whether the waves at a distance are smaller than a quarter of a pixel, so that the ellipsoid is the surface.
-fn waves_are_pixels(distance: Metres) -> bool {
-    return distance * frame.pixel_angle > 4.0 * frame.crest_height;
-}
+// A vertex before and after the waves have moved it.
+struct Place { rest: vec3f, moved: vec3f, height: f32 }
 
-// The ellipsoid's point under a device coordinate, cast from the projector; see the head of this file.
-fn projected(device: vec2f) -> vec3f {
-    var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
-    // The surface over an eye under water lies where the mirrored eye above it looks.
-    if frame.under_water == 1u { direction.z = -abs(direction.z); }
-    let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
-    let rise = vec3f(0.0, 0.0, frame.projector_rise);
-    var t = surface_hit(ray);
-    if t >= 0.0 { return direction * t + rise; }
-    // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is.
-    t = max(-ray.b / ray.a, 0.0);
-    if waves_are_pixels(t) {
-        // A few cells beyond the limb are enough.
-        let p = direction * t + rise;
-        let beyond = height_along(ray, t) - 16.0 * t * frame.pixel_angle;
-        return p - max(beyond, 0.0) * (normal_delta(p) + vec3f(0.0, 0.0, 1.0));
-    }
-    // Near, the point of the horizon below the ray, so that no triangle spans the sea.
-    let tangent = sqrt(max(ray.c, 0.0) / ray.a);
-    let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
-    return tangent * vec3f(direction.xy / max(length(direction.xy), 1e-6), -dip) + rise;
-}
-
-const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
-const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
-const NEAREST: Metres = 0.7;
-
-// Rest position of a grid vertex. Among high waves the chop moves water into the screen from beside and behind the eye, so
-// the grid's rims run on from the screen's edges: up and sideways, and below the eye to behind it, denser towards the eye.
-fn rest_position(grid: vec2f) -> vec3f {
-    let reach = frame.rim_reach;
-    let low_rim = select(0.02, 0.35, reach > 0.0);
-    let y = 0.5 * (grid.y + 1.0);
-    let below = clamp(1.0 - y / low_rim, 0.0, 1.0);
-    let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
-    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim, 0.0) / (1.0 - low_rim)));
-    let rest = projected(device);
-    if reach == 0.0 { return rest; }
-    let right = normalize(frame.ray_right.xy);
-    let ahead = vec2f(-right.y, right.x);
-    let above = clamp((y - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
-    let moved = rest + vec3f((right * beside + ahead * above) * reach, 0.0);
-    if below == 0.0 { return moved; }
-    let from_distance = dot(rest.xy, ahead);
-    var distance = from_distance - below * reach;
-    if from_distance > NEAREST {
-        let nearing = min(below / 0.8, 1.0);
-        distance = from_distance * pow(NEAREST / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
-    }
-    let aside = dot(rest.xy, right) * clamp(distance / max(from_distance, NEAREST), 0.02, 1.0) + reach * (beside + grid.x * below);
-    return vec3f(ahead * distance + right * aside, -frame.eye_altitude);
-}
-
-@vertex
-fn vertex(@location(0) grid: vec2f) -> Vertex {
-    let rest = rest_position(grid);
+// `spacing` is how far apart the mesh's vertices are.
+fn placed(rest: vec3f, spacing: Metres) -> Place {
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     let distance = length(rest);
-    let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
     var moved = vec3f(0.0);
     if frame.wave_height > 0.0 && !waves_are_pixels(distance) {
         let displacement = displacement_at(rest, distance, spacing);
@@ -89,8 +33,38 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
         let allowed = clamp(-ground.elevation * 0.5 / frame.wave_height, 0.0, 1.0);
         moved = allowed * displacement;
     }
-    let local = rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up;
-    return Vertex(frame.clip_from_local * vec4f(local, 1.0), rest, local, moved.z);
+    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z);
+}
+
+fn vertex_at(place: Place) -> Vertex {
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height);
+}
+
+@vertex
+fn vertex_of_grid(@location(0) grid: vec2f) -> Vertex {
+    let rest = rest_position(grid);
+    let distance = length(rest);
+    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
+    let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
+    return vertex_at(placed(rest, spacing));
+}
+
+// A corner that halves an edge begins in the edge's middle and takes its own place while the edge grows on the screen.
+@vertex
+fn vertex_of_bisection(@builtin(vertex_index) index: u32) -> Vertex {
+    let corner = drawn_corner(index);
+    let rest = rest_of(corner);
+    let own = placed(rest, wished_length(rest));
+    let edge = parents(corner);
+    if !edge.exists { return vertex_at(own); }
+    let grown = grown_share(edge);
+    if grown >= 1.0 { return vertex_at(own); }
+    let first = rest_of(edge.first);
+    let second = rest_of(edge.second);
+    let a = placed(first, wished_length(first));
+    let b = placed(second, wished_length(second));
+    return vertex_at(Place(mix(0.5 * (a.rest + b.rest), own.rest, grown), mix(0.5 * (a.moved + b.moved), own.moved, grown),
+        mix(0.5 * (a.height + b.height), own.height, grown)));
 }
 
 // Unit vector along the wind, which blows from the same bearing everywhere.

@@ -18,7 +18,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Below the deepest trough and the flattest triangle, land or sea covers the sky.
     let covered = shell_hits(eye_ray(direction), -500.0);
     if (frame.layers & 3u) == 3u && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }
-    let scattered = scatter_to(direction, 1e9, 24u);
+    let scattered = scatter_to_sky(direction);
     // The disc, 0.267 degrees in radius, darkened towards its limb.
     let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;
     let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));

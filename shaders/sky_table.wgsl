@@ -13,7 +13,7 @@ fn sky(mu: f32, azimuth: f32, mu_sun: f32) -> vec3f {
     let sun = vec3f(sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), 0.0, mu_sun);
     let ray = ray_coefficients(direction, gradient, 0.0);
     let shell = shell_hits(ray, TOP);
-    return scatter(Sight(ray, direction, gradient, sun), 0.0, shell.y, 32u).radiance;
+    return scatter(Sight(ray, direction, gradient, sun), 0.0, shell.y, 32u, 0.0).radiance;
 }
 
 @compute @workgroup_size(4, 4, 4)

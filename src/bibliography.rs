@@ -77,7 +77,7 @@ pub enum Jarzynski2020 {}
 pub enum Perlin1985 {}
 
 /// Monahan, E. C. and O'Muircheartaigh, I. (1980), *Optimal power-law description of oceanic whitecap coverage dependence on
-/// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010<2094:OPLDOO>2.0.CO;2>
+/// wind speed*, J. Phys. Oceanogr. 10, 2094–2099. <https://doi.org/10.1175/1520-0485(1980)010%3C2094:OPLDOO%3E2.0.CO;2>
 pub enum Monahan1980 {}
 
 /// Pierson, W. J. and Moskowitz, L. (1964), *A proposed spectral form for fully developed wind seas based on the similarity theory of
@@ -153,3 +153,7 @@ pub enum Callaghan2008 {}
 /// on graphics processors*, Proc. ACM/IEEE Conf. on Supercomputing (SC '08), 2: Stockham's transform with several elements per
 /// thread and exchanges through shared memory. <https://doi.org/10.1109/SC.2008.5213922>
 pub enum Govindaraju2008 {}
+
+/// Dupuy, J. (2020), *Concurrent binary trees (with application to longest edge bisection)*, Proc. ACM Comput. Graph. Interact.
+/// Tech. 3(2), article 21: bits and sums that let threads split and merge triangles side by side. <https://doi.org/10.1145/3406186>
+pub enum Cbt {}

@@ -13,7 +13,7 @@ use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
 use crate::scene::number::decimal;
-use crate::scene::settings::Settings;
+use crate::scene::settings::{Mesh, Settings};
 use crate::scene::view_state::ViewState;
 use crate::scene::views::{VIEWS, View};
 
@@ -216,6 +216,7 @@ impl Panel {
             self.widgets.note("seed", &seed);
             ui.label("seed");
         });
+        self.mesh(ui, settings);
         ui.horizontal_wrapped(|ui| {
             for (layer, name) in Layer::ALL {
                 let mut shown = settings.layers.shows(layer);
@@ -224,6 +225,23 @@ impl Panel {
                 settings.layers.set(layer, shown);
             }
         });
+    }
+
+    fn mesh(&mut self, ui: &mut Ui, settings: &mut Settings) {
+        let mut bisected = settings.mesh == Mesh::Bisect;
+        let check = ui.checkbox(&mut bisected, "bisected mesh");
+        self.widgets.note("meshBisect", &check);
+        check.on_hover_text("Triangles halved on the GPU where the surface needs it, instead of a grid on the screen");
+        settings.mesh = if bisected { Mesh::Bisect } else { Mesh::Grid };
+        if !bisected {
+            return;
+        }
+        let pixels = Slider::new(&mut settings.triangles.pixels, 2.0..=64.0).logarithmic(true);
+        let pixels = ui.add(pixels.custom_formatter(digits(1)).suffix(" px").text("triangles"));
+        self.widgets.note("trianglePixels", &pixels);
+        let budget =
+            ui.add(Slider::new(&mut settings.triangles.budget, 1_000..=1_000_000).logarithmic(true).text("at most"));
+        self.widgets.note("triangleBudget", &budget);
     }
 }
 

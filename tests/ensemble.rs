@@ -15,8 +15,19 @@ fn oracle() -> Value {
     serde_json::from_str(include_str!("oracles/fft.json")).unwrap()
 }
 
+/// The oracle's rows under `key`, `count` of them.
+fn rows(key: &str, count: usize) -> Vec<Value> {
+    let rows = oracle()[key].as_array().unwrap().clone();
+    assert_eq!(rows.len(), count, "{key}");
+    rows
+}
+
 fn number(row: &Value, key: &str) -> f64 {
     row[key].as_f64().unwrap_or_else(|| panic!("no {key} in {row}"))
+}
+
+fn samples(row: &Value) -> usize {
+    row["N"].as_u64().unwrap() as usize
 }
 
 fn square(n: usize, patch_m: f64, k_min: f64, k_max: f64) -> Tile {
@@ -30,14 +41,19 @@ fn point_energy(tile: Tile) -> f64 {
     tile.wave_vectors().filter(inside).map(|(x, y)| OracleSea.density(x, y) * dx * dy).sum()
 }
 
+/// The energy of the cells' integrals.
+fn cell_energy(tile: Tile) -> f64 {
+    cell_energies(&OracleSea, tile).iter().sum()
+}
+
 #[test]
 fn the_oracles_sea_is_ours() {
     let file = oracle();
     assert_eq!(number(&file, "m0_analytic"), M0);
     // The closed forms agree to all printed digits; Simpson's 1024 steps cross the kink of sigma at the peak.
     assert!((OracleSea.variance_between(0.0, f64::INFINITY) / M0 - 1.0).abs() < 1e-4);
-    for row in file["ensemble"].as_array().unwrap() {
-        let tile = square(row["N"].as_u64().unwrap() as usize, number(row, "L"), 0.0, f64::INFINITY);
+    for row in &rows("ensemble", 5) {
+        let tile = square(samples(row), number(row, "L"), 0.0, f64::INFINITY);
         let want = number(row, "sum_F_dk2");
         assert!((point_energy(tile) / want - 1.0).abs() < 1e-3, "{row}: {}", point_energy(tile));
     }
@@ -45,11 +61,8 @@ fn the_oracles_sea_is_ours() {
 
 #[test]
 fn the_mean_of_many_seas_has_the_spectrums_variance() {
-    let file = oracle();
-    let rows = file["ensemble"].as_array().unwrap();
-    assert_eq!(rows.len(), 5);
-    for row in rows {
-        let n = row["N"].as_u64().unwrap() as usize;
+    for row in &rows("ensemble", 5) {
+        let n = samples(row);
         let seeds: u32 = if n > 128 { 100 } else { 400 };
         let tile = square(n, number(row, "L"), 0.0, f64::INFINITY);
         let energies = cell_energies(&OracleSea, tile);
@@ -99,16 +112,13 @@ fn points_are_exact(row: &Value) -> bool {
 
 #[test]
 fn rings_hold_what_the_integrals_say() {
-    let file = oracle();
-    let rows = file["cascade_cell_integrated"].as_array().unwrap();
-    assert_eq!(rows.len(), 5);
-    for row in rows {
+    for row in &rows("cascade_cell_integrated", 5) {
         let mut total = [0.0; 3];
         for i in 0..3 {
             let at = |key: &str| row[key][i].as_f64().unwrap();
             let band = |j: usize| row["bands"][i][j].as_f64().unwrap();
-            let tile = square(row["N"].as_u64().unwrap() as usize, at("L"), band(0), band(1));
-            let cells: f64 = cell_energies(&OracleSea, tile).iter().sum();
+            let tile = square(samples(row), at("L"), band(0), band(1));
+            let cells = cell_energy(tile);
             let points = point_energy(tile);
             println!("{} dk: {points:.5e} {cells:.5e} {:.5e}", row["boundary_in_dk_of_next"], at("analytic"));
             // Points agree to the digits; 8 x 8 samples place an edge to a sixteenth of a step: at 1 dk, where k^-3 falls fast and
@@ -132,15 +142,12 @@ fn rings_hold_what_the_integrals_say() {
 
 #[test]
 fn disjoint_rings_share_the_energy_and_whole_spectra_count_it_again() {
-    let file = oracle();
-    let rows = file["cascades"].as_array().unwrap();
-    assert_eq!(rows.len(), 4);
-    for row in rows {
+    for row in &rows("cascades", 4) {
         let mut total = [0.0; 2];
         for ring in row["cascades"].as_array().unwrap() {
-            let n = row["N"].as_u64().unwrap() as usize;
+            let n = samples(row);
             let tile = square(n, number(ring, "L"), number(ring, "k_lo"), number(ring, "k_hi"));
-            let cells: f64 = cell_energies(&OracleSea, tile).iter().sum();
+            let cells = cell_energy(tile);
             // An open ring ends with its grid, whose corner cells at the edge are cut differently.
             assert!((point_energy(tile) / number(ring, "sum") - 1.0).abs() < 2e-3, "{ring}: {}", point_energy(tile));
             total = [total[0] + cells, total[1] + point_energy(tile)];
@@ -153,11 +160,10 @@ fn disjoint_rings_share_the_energy_and_whole_spectra_count_it_again() {
 
 #[test]
 fn the_peak_is_held_whole_on_few_waves() {
-    let file = oracle();
-    for row in file["peak_capture_cell"].as_array().unwrap() {
+    for row in &rows("peak_capture_cell", 3) {
         let waves = number(row, "L_over_lambda_p");
         let tile = square(256, waves * std::f64::consts::TAU / OracleSea.peak_wavenumber(), 0.0, f64::INFINITY);
-        let cells: f64 = cell_energies(&OracleSea, tile).iter().sum();
+        let cells = cell_energy(tile);
         println!("{waves} waves: points {:.5}, cells {:.5}", point_energy(tile) / M0, cells / M0);
         // At half a wave the peak's width is a fourteenth of a cell: eight samples to a side are too few, and four waves the least.
         let tolerance = if waves < 1.0 { 0.2 } else { 0.01 };

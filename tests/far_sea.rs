@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::model::perlin::{self, OCTAVES, PEAK_CELLS, TEXELS};
-use ocean_globe::model::{noise, optics, waves};
+use ocean_globe::model::{noise, optics};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::perlin::Perlin;
 use ocean_globe::scene::frame::{Frame, MIX_FAR_M, MIX_NEAR_M};
@@ -13,10 +13,7 @@ use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Settings, Spectrum, Wind};
 
 mod water;
-use water::{Ensemble, Water, Waves, frame, place, reseeded};
-
-/// 2026-11-20T12:00:00Z.
-const NOON: f64 = 1_795_176_000.0;
+use water::{Ensemble, NOON, Water, Waves, chopless, frame, mean, place, places, reseeded};
 
 /// Gradient noise in f64 at a place in cells: at each lattice point a unit vector of a random direction.
 fn unit_noise(x: f64, y: f64, sample: u32) -> f64 {
@@ -128,11 +125,10 @@ fn the_tile_on_the_gpu_has_the_models_variances_in_every_octave() {
 const STATIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 fn seas() -> [(&'static str, Settings); 3] {
-    let blown = |speed_mps| Settings { wind: Wind { speed_mps, from_deg: 250.0 }, chop: 0.0, ..Settings::default() };
     [
-        ("8 m/s", blown(8.0)),
-        ("17 m/s", blown(17.0)),
-        ("JONSWAP 14 m/s", Settings { spectrum: Spectrum::Jonswap, fetch_km: Some(200.0), ..blown(14.0) }),
+        ("8 m/s", chopless(8.0)),
+        ("17 m/s", chopless(17.0)),
+        ("JONSWAP 14 m/s", Settings { spectrum: Spectrum::Jonswap, fetch_km: Some(200.0), ..chopless(14.0) }),
     ]
 }
 
@@ -147,32 +143,21 @@ fn along_the_mix(water: &mut Water, settings: &Settings, realisations: u32) -> [
     let slopes = sea.sea.slopes();
     // The whole of the longest tile, and with it the noise's tile several times: every phase of a lattice cell alike.
     let side_m = sea.sea.cascades[0].patch_m;
+    let stations = STATIONS.map(|r| [MIX_NEAR_M + r * (MIX_FAR_M - MIX_NEAR_M), 0.0]);
     let mut found = [[Ensemble::default(); 3]; 5];
     let mut sums = [[0.0; 3]; 5];
     for realisation in 0..realisations {
         let now = reseeded(&sea, realisation, NOON + 1e4 * f64::from(realisation * realisation));
         // The waves of a tile are worth far more samples than the noise of one; what has the same waves counts as one realisation.
         if realisation % SHARED == 0 {
-            water.set_waves(
-                &waves_of_sea.tiles,
-                &waves_of_sea.data(realisation),
-                waves::ticks_from_unix(now.unix_seconds),
-            );
+            water.set_sea(&waves_of_sea, realisation, now.unix_seconds);
         }
         water.set_noise(&now);
-        let places: Vec<[f32; 4]> = STATIONS
-            .into_iter()
-            .flat_map(|r| (0..PLACES).map(move |index| (r, index)))
-            .map(|(r, index)| {
-                let [x, y] = place(index + PLACES * realisation as usize, side_m);
-                [x as f32, y as f32, (MIX_NEAR_M + r * (MIX_FAR_M - MIX_NEAR_M)) as f32, 0.0]
-            })
-            .collect();
+        let places = places(&stations, PLACES * realisation as usize, PLACES, side_m);
         for (drawn, sum) in water.at(&now, &places).chunks_exact(PLACES).zip(&mut sums) {
-            let mean = |value: &dyn Fn(&water::Drawn) -> f64| drawn.iter().map(value).sum::<f64>() / PLACES as f64;
-            sum[0] += mean(&|d| d.height * d.height) / m0;
+            sum[0] += mean(drawn, |d| d.height * d.height) / m0;
             for axis in 0..2 {
-                sum[1 + axis] += mean(&|d| d.slope[axis] * d.slope[axis] + d.rough[axis]) / slopes[axis];
+                sum[1 + axis] += mean(drawn, |d| d.slope[axis] * d.slope[axis] + d.rough[axis]) / slopes[axis];
             }
         }
         if realisation % SHARED == SHARED - 1 {

@@ -12,6 +12,9 @@ use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
 
+mod kernel;
+use kernel::Kernel;
+
 /// Places where a careless globe breaks: latitude and longitude, degrees.
 const PLACES: [[f64; 2]; 8] = [
     [0.0, 0.0],
@@ -43,37 +46,14 @@ struct Located {
 }
 
 fn located(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<Located> {
-    use wgpu::BufferUsages as B;
-    let stages = wgpu::ShaderStages::COMPUTE;
-    let frame_layout = gpu.layout("frame", stages, &[Bind::Uniform]);
-    let layout = gpu.layout("points", stages, &[Bind::Storage, Bind::StorageWrite, Bind::StorageWrite]);
-    let source = shader::composed(KERNEL, "");
-    let [pipeline] = gpu.compute("locate", &source, &[&frame_layout, &layout], ["locate"]);
-    let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+    let layout = gpu.layout("frame", wgpu::ShaderStages::COMPUTE, &[Bind::Uniform]);
+    let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+    let group = gpu.bind("frame", &layout, &[uniform.as_entire_binding()]);
+    let kernel = Kernel::<2>::new(gpu, &shader::composed(KERNEL, ""), "locate", &[&layout]);
     let list: Vec<[f32; 4]> = points.iter().map(|p| p.as_vec3().extend(0.0).to_array()).collect();
-    let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(&list));
-    let size = (points.len() * 16) as u64;
-    let outputs = ["found", "back"].map(|label| gpu.empty_buffer(label, B::STORAGE | B::COPY_SRC, size));
-    let copies = ["found", "back"].map(|label| gpu.empty_buffer(label, B::MAP_READ | B::COPY_DST, size));
-    let frame_group = gpu.bind("frame", &frame_layout, &[uniform.as_entire_binding()]);
-    let resources = [input.as_entire_binding(), outputs[0].as_entire_binding(), outputs[1].as_entire_binding()];
-    let group = gpu.bind("points", &layout, &resources);
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &frame_group, &[]);
-        pass.set_bind_group(1, &group, &[]);
-        pass.dispatch_workgroups((points.len() as u32).div_ceil(64), 1, 1);
-    }
-    for (output, copy) in outputs.iter().zip(&copies) {
-        encoder.copy_buffer_to_buffer(output, 0, copy, 0, size);
-    }
-    gpu.queue.submit([encoder.finish()]);
-    let [found, back] = copies.map(|copy| gpu.read_buffer(&copy).unwrap());
-    let maps = found.chunks_exact(16).map(bytemuck::pod_read_unaligned::<[u32; 4]>);
-    let backs = back.chunks_exact(16).map(bytemuck::pod_read_unaligned::<[f32; 4]>);
-    maps.zip(backs).map(|(map, b)| Located { map, back: DVec3::new(b[0].into(), b[1].into(), b[2].into()) }).collect()
+    let [found, back] = kernel.run::<_, [u32; 4]>(gpu, &[&group], &list);
+    let local = |[x, y, z, _]: [u32; 4]| DVec3::from([x, y, z].map(|bits| f64::from(f32::from_bits(bits))));
+    found.into_iter().zip(back).map(|(map, back)| Located { map, back: local(back) }).collect()
 }
 
 #[test]

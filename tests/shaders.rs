@@ -6,14 +6,16 @@ use std::path::Path;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::pass::fft::Precision;
-use ocean_globe::pass::{fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
-use ocean_globe::scene::{foam as scene_foam, frame, wave_domain, wave_nodes};
+use ocean_globe::pass::{bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
+use ocean_globe::scene::bisection::Bisection;
+use ocean_globe::scene::{foam as scene_foam, foam_history, frame, wave_domain, wave_nodes};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
     let sizes =
         (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
     let mut all = vec![
+        ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", include_str!("../shaders/blit.wgsl").to_owned()),
         ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source()),
@@ -162,9 +164,57 @@ fn structs_have_the_same_members_at_the_same_places() {
     assert_mirror!(
         foam::source(),
         "FoamStep",
-        foam::FoamStep,
+        foam_history::FoamStep,
         [previous, grow, keep, empty, cells, unused_a, unused_b]
     );
+    let block = [ocean::source(), bisect::source()];
+    for source in block {
+        assert_mirror!(
+            source,
+            "Bisection",
+            Bisection,
+            [
+                foot,
+                target_pixels,
+                fraction,
+                budget,
+                point,
+                inverse_length,
+                local_from_x,
+                unused_a,
+                local_from_y,
+                unused_b,
+                local_from_z,
+                unused_c,
+            ]
+        );
+    }
+    assert_mirror!(
+        bisect::source(),
+        "State",
+        bisect::State,
+        [
+            vertices,
+            instances,
+            first_vertex,
+            first_instance,
+            live,
+            wanted_slots,
+            growth,
+            taken,
+            merging,
+            coarseness,
+            acceptance,
+            updates,
+            last_growth,
+            last_merged,
+            unused_a,
+            unused_b,
+        ]
+    );
+    // The sea reads the accounts as an array of floats.
+    let coarseness = std::mem::offset_of!(bisect::State, coarseness) / 4;
+    assert_eq!(constant(&ocean::source(), "COARSENESS"), coarseness as f64);
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",

@@ -4,17 +4,9 @@ use ocean_globe::model::waves;
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
 use ocean_globe::scene::sea::SeaTables;
-use ocean_globe::scene::settings::{Settings, Wind};
 
 mod water;
-use water::{Ensemble, Water, Waves, frame, place, reseeded};
-
-/// 2026-11-20T12:00:00Z.
-const NOON: f64 = 1_795_176_000.0;
-
-fn blown(speed_mps: f64) -> Settings {
-    Settings { wind: Wind { speed_mps, from_deg: 250.0 }, chop: 0.0, ..Settings::default() }
-}
+use water::{Ensemble, NOON, Water, Waves, chopless, frame, mean, places, reseeded};
 
 /// The first two and the last two channels of one layer of one mip level.
 fn pairs(water: &Water, texture: &wgpu::Texture, layer: u32, mip: u32) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
@@ -44,14 +36,14 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
     const N: usize = 128;
     const SEEDS: u32 = 40;
     let mut water = Water::new(N, Precision::Single, |source| source);
-    let sea = frame(&blown(11.0), NOON);
+    let sea = frame(&chopless(11.0), NOON);
     let tables = SeaTables::new(sea.sea.sea, N);
     let waves_of_sea = Waves::of(&tables);
     let mips = water.fft.slopes.mip_level_count();
     // [mip][axis]: resolved and unresolved of all tiles, in the mean.
     let mut found = vec![[[Ensemble::default(); 2]; 2]; mips as usize];
     for seed in 0..SEEDS {
-        water.set_waves(&waves_of_sea.tiles, &waves_of_sea.data(seed), waves::ticks_from_unix(NOON));
+        water.set_sea(&waves_of_sea, seed, NOON);
         let mut sums = vec![[[0.0; 2]; 2]; mips as usize];
         for layer in 0..waves::CASCADES as u32 {
             let mut whole = [0.0; 2];
@@ -114,34 +106,24 @@ fn the_drawn_slopes_and_their_roughness_add_up_under_every_footprint() {
     const FOOTPRINTS: [f64; 13] = [0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4];
     let mut water = Water::new(256, Precision::Half, |source| source);
     for speed in [5.0, 11.0, 17.0] {
-        let sea = frame(&blown(speed), NOON);
+        let sea = frame(&chopless(speed), NOON);
         let waves_of_sea = Waves::of(&sea.sea);
         let side_m = sea.sea.cascades[0].patch_m;
         let total = sea.sea.slopes();
         // The waves alone, both, the far sea alone.
         for distance in [0.0, 0.5 * (MIX_NEAR_M + MIX_FAR_M), MIX_FAR_M] {
+            let pairs = FOOTPRINTS.map(|footprint| [distance, footprint]);
             let mut found = [[[Ensemble::default(); 2]; 2]; FOOTPRINTS.len()];
             for seed in 0..SEAS {
                 let now = reseeded(&sea, seed, NOON + 1e4 * f64::from(seed * seed));
-                water.set_waves(
-                    &waves_of_sea.tiles,
-                    &waves_of_sea.data(seed),
-                    waves::ticks_from_unix(now.unix_seconds),
-                );
+                water.set_sea(&waves_of_sea, seed, now.unix_seconds);
                 water.set_noise(&now);
-                let places: Vec<[f32; 4]> = FOOTPRINTS
-                    .into_iter()
-                    .flat_map(|footprint| (0..PLACES).map(move |index| (footprint, index)))
-                    .map(|(footprint, index)| {
-                        let [x, y] = place(index + PLACES * seed as usize, side_m);
-                        [x as f32, y as f32, distance as f32, footprint as f32]
-                    })
-                    .collect();
+                let places = places(&pairs, PLACES * seed as usize, PLACES, side_m);
                 let drawn = water.at(&now, &places);
                 for (drawn, found) in drawn.chunks_exact(PLACES).zip(&mut found) {
                     for (axis, [slope, rough]) in found.iter_mut().enumerate() {
-                        slope.push(drawn.iter().map(|d| d.slope[axis] * d.slope[axis]).sum::<f64>() / PLACES as f64);
-                        rough.push(drawn.iter().map(|d| d.rough[axis]).sum::<f64>() / PLACES as f64);
+                        slope.push(mean(drawn, |d| d.slope[axis] * d.slope[axis]));
+                        rough.push(mean(drawn, |d| d.rough[axis]));
                     }
                 }
             }

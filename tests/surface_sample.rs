@@ -2,11 +2,9 @@
 
 use glam::{DVec2, DVec3};
 use ocean_globe::cli::render::{self, LayerName};
-use ocean_globe::gpu::pipeline::Bind;
-use ocean_globe::gpu::texture::{self, Shape};
-use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::gpu::shader;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
-use ocean_globe::pass::fft::{Fft, Precision, WaveData};
+use ocean_globe::pass::fft::{Precision, WaveData};
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
@@ -14,8 +12,8 @@ use ocean_globe::scene::ride::surface_height;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::surface_sample::{SurfaceSample, sample_surface};
 
-/// 2026-11-20T12:00:00Z.
-const NOON: f64 = 1_795_176_000.0;
+mod water;
+use water::{NOON, Water};
 
 /// What the drawing shaders make of points at rest: displacement, then slope and Jacobian.
 const KERNEL: &str = "#import waves
@@ -32,73 +30,12 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     sloped[id.x] = vec4f(up.xy - slopes.slope, 1.0 + up.z, slopes.fold);
 }";
 
-fn gpu() -> Gpu {
-    pollster::block_on(Gpu::headless()).expect("a graphics device, software or not")
-}
-
 /// Displacement (east, north, up at the eye), Perlin weight; normal (not unit), Jacobian.
-fn drawn(gpu: &Gpu, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])> {
-    use wgpu::{BufferUsages as B, TextureViewDimension::*};
-    let mut fft = Fft::new(gpu, frame.sea.cascades[0].n, frame.sea.cascades.len(), Precision::Half).sharpened(true);
-    fft.set_waves(gpu, &frame.sea.cascades, &WaveData::of(&frame.sea));
-    fft.set_time(gpu, frame.ticks());
-    let format = wgpu::TextureFormat::Rgba16Float;
-    let perlin = gpu.texture("no perlin", Shape::picture(1, 1), format, wgpu::TextureUsages::empty());
-    let stages = wgpu::ShaderStages::COMPUTE;
-    let layouts = [
-        gpu.layout("frame", stages, &[Bind::Uniform, Bind::Uniform, Bind::Sampler, Bind::Sampler]),
-        gpu.layout("surface", stages, &[D2Array, D2Array, D2Array, D2].map(Bind::Texture)),
-        gpu.layout("points", stages, &[Bind::Storage, Bind::StorageWrite, Bind::StorageWrite]),
-    ];
-    let [pipeline] = gpu.compute("drawn", &shader::composed(KERNEL, ""), &layouts.each_ref(), ["drawn"]);
-    let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-    let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
-    let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-    let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
-    let tiles = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
-    let views = [tiles[0].clone(), tiles[1].clone(), tiles[2].clone(), texture::view(&perlin)];
+fn drawn(water: &mut Water, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [f32; 4])> {
+    water.set_waves(&frame.sea.cascades, &WaveData::of(&frame.sea), frame.ticks());
+    let kernel = water.kernel::<2>(&shader::composed(KERNEL, ""), "drawn");
     let list: Vec<[f32; 4]> = points.iter().map(|p| p.as_vec3().extend(0.0).to_array()).collect();
-    let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(&list));
-    let size = (points.len() * 16) as u64;
-    let outputs = ["moved", "sloped"].map(|label| gpu.empty_buffer(label, B::STORAGE | B::COPY_SRC, size));
-    let copies = ["moved", "sloped"].map(|label| gpu.empty_buffer(label, B::MAP_READ | B::COPY_DST, size));
-    let groups = [
-        gpu.bind(
-            "frame",
-            &layouts[0],
-            &[
-                uniform.as_entire_binding(),
-                nodes.as_entire_binding(),
-                wgpu::BindingResource::Sampler(&clamped),
-                wgpu::BindingResource::Sampler(&repeated),
-            ],
-        ),
-        gpu.bind("surface", &layouts[1], &views.each_ref().map(wgpu::BindingResource::TextureView)),
-        gpu.bind(
-            "points",
-            &layouts[2],
-            &[input.as_entire_binding(), outputs[0].as_entire_binding(), outputs[1].as_entire_binding()],
-        ),
-    ];
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        fft.dispatch(&mut pass);
-        fft.dispatch_mips(&mut pass);
-        pass.set_pipeline(&pipeline);
-        for (index, group) in (0..).zip(&groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        pass.dispatch_workgroups((points.len() as u32).div_ceil(64), 1, 1);
-    }
-    for (output, copy) in outputs.iter().zip(&copies) {
-        encoder.copy_buffer_to_buffer(output, 0, copy, 0, size);
-    }
-    gpu.queue.submit([encoder.finish()]);
-    let [moved, sloped] = copies.map(|copy| {
-        let bytes = gpu.read_buffer(&copy).unwrap();
-        bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned::<[f32; 4]>).collect::<Vec<_>>()
-    });
+    let [moved, sloped] = kernel.run(&water.gpu, &water.groups(frame).each_ref(), &list);
     moved.into_iter().zip(sloped).collect()
 }
 
@@ -118,7 +55,7 @@ fn places(camera: &Camera) -> Vec<(f64, f64)> {
 
 #[test]
 fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
-    let gpu = gpu();
+    let mut water = Water::new(256, Precision::Half, |source| source);
     // Cells blend at the first four: open sea, the cube's middle, the antimeridian, beside the pole.
     for (lat, lon) in [(35.6812, -14.25), (0.0, 0.0), (-20.0, -179.9999), (89.9, 30.0), (0.352, 0.352)] {
         let settings = Settings { beaufort: Some(8), ..Settings::default() };
@@ -145,7 +82,7 @@ fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
             .collect();
         let (mut worst_m, mut worst_deg, mut worst_landing, mut folded) = (0.0f64, 0.0f64, 0.0f64, 0);
         for (((sample, (foot, axes)), rest), (moved, sloped)) in
-            samples.iter().zip(&feet).zip(&rests).zip(drawn(&gpu, &frame, &rests))
+            samples.iter().zip(&feet).zip(&rests).zip(drawn(&mut water, &frame, &rests))
         {
             let [x, y, z, perlin] = moved.map(f64::from);
             assert_eq!(perlin, 0.0);

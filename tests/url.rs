@@ -3,7 +3,7 @@
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::fragment::LONGEST;
 use ocean_globe::scene::layers::{Layer, Layers};
-use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Triangles, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view_state::ViewState;
 use ocean_globe::scene::views::VIEWS;
@@ -39,7 +39,10 @@ fn bad(text: &str) {
         "time" => expected.time = before.time,
         "rate" => expected.rate = before.rate,
         "seed" => expected.settings.seed = before.settings.seed,
-        "mesh" => expected.settings.mesh = before.settings.mesh,
+        "mesh" => {
+            expected.settings.mesh = before.settings.mesh;
+            expected.settings.triangles = before.settings.triangles;
+        }
         "quality" => expected.settings.quality = before.settings.quality,
         _ => assert_eq!(key, "v"),
     }
@@ -63,6 +66,7 @@ fn other_than_default() -> ViewState {
             foam: Foam { amount: 0.5, lifetime_s: 10.0, rule: FoamRule::Folding },
             seed: 7,
             mesh: Mesh::Bisect,
+            triangles: Triangles { pixels: 8.5, budget: 60_000 },
             quality: Quality::High,
             layers,
             water_density_per_m: 0.3,
@@ -79,7 +83,7 @@ fn every_key_is_written_in_the_order_of_the_table() {
     assert_eq!(
         text,
         "view=35.6812,-14.25,560,120,78&ride=1&wind=13.9@240&bft=7&spectrum=jonswap&fetch=300&swell=2.5,14,310\
-         &chop=0.8&foam=0.5,10&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect&quality=high&layers=-sky&later=1"
+         &chop=0.8&foam=0.5,10&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
     );
     let mut read = good(&text);
     // The water's density is the panel's alone.
@@ -145,7 +149,11 @@ fn every_name_of_the_table_is_read() {
         assert_eq!(good(&format!("quality={name}")).settings.quality, quality.0);
     }
     assert_eq!(good("mesh=grid").settings.mesh, Mesh::Grid);
-    assert_eq!(good("mesh=bisect").settings.mesh, Mesh::Bisect);
+    let bisected = |text| (good(text).settings.mesh, good(text).settings.triangles);
+    let default = Triangles::default();
+    assert_eq!(bisected("mesh=bisect"), (Mesh::Bisect, default));
+    assert_eq!(bisected("mesh=bisect,9"), (Mesh::Bisect, Triangles { pixels: 9.0, ..default }));
+    assert_eq!(bisected("mesh=bisect,1e9,5"), (Mesh::Bisect, Triangles { pixels: 64.0, budget: 1_000 }));
     let layers = good("layers=-sea,-sky,land").settings.layers;
     assert!(!layers.shows(Layer::Sea) && !layers.shows(Layer::Sky) && layers.shows(Layer::Land));
     let (state, errors) = ViewState::parse_fragment("layers=-sea,-krakens", None);
@@ -207,6 +215,10 @@ fn a_bad_pair_is_reported_and_leaves_the_last_good_value() {
         "seed=0.5",
         "seed=0x10",
         "mesh=torus",
+        "mesh=grid,8",
+        "mesh=bisect,fine",
+        "mesh=bisect,8,0.5",
+        "mesh=bisect,8,5000,1",
         "quality=best",
         "v=2",
     ] {

@@ -54,8 +54,9 @@ struct Scattered { radiance: vec3f, transmittance: vec3f }
 // Where a ray starts and what lights it: the ray, its unit direction, the ellipsoid's gradient at its start, the sun.
 struct Sight { ray: Ray, direction: vec3f, gradient: vec3f, sun: vec3f }
 
-// Light scattered towards the start of a ray between two distances, and what of the far end's light comes through.
-fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
+// Light scattered towards the start of a ray between two distances, and what of the far end's light comes through. Steps are
+// short where the air is dense: at the near end for a `sink` of 0, at the far end for 1, even for ½.
+fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32, sink: f32) -> Scattered {
     var optical = vec3f(0.0);
     var sum = vec3f(0.0);
     let c = dot(sight.direction, sight.sun);
@@ -63,9 +64,8 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
     let pm = mie_phase(c);
     var previous = 0.0;
     for (var i = 0u; i < steps; i++) {
-        // Steps grow with distance where the ray starts in dense air, and are even from space.
         let x = (f32(i) + 1.0) / f32(steps);
-        let grown = mix(x, x * x, step(from_t, 0.0));
+        let grown = mix(x * x, x * (2.0 - x), sink);
         let t = mix(from_t, to_t, 0.5 * (previous + grown));
         let dt = (to_t - from_t) * (grown - previous);
         previous = grown;
@@ -88,16 +88,21 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32) -> Scattered {
     return Scattered(sum * SUN_IRRADIANCE, exp(-optical));
 }
 
+// How much denser the air is at sea level than at the eye, 0…1: the more, the more of a ray's air lies at its far end.
+fn eye_sink() -> f32 { return 1.0 - exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT); }
+
 // The atmosphere's part of a ray from the eye that ends at distance `to_t` on a surface; few steps serve a short way.
 fn scatter_to_surface(direction: vec3f, to_t: f32) -> Scattered {
-    return scatter_to(direction, to_t, u32(clamp(2.0 + to_t / 8000.0, 2.0, 10.0)));
+    return scatter_to(direction, to_t, u32(clamp(2.0 + to_t / 8000.0, 2.0, 10.0)), eye_sink());
 }
 
-// The atmosphere's part of a ray from the eye to distance `to_t`.
-fn scatter_to(direction: vec3f, to_t: f32, steps: u32) -> Scattered {
+// The atmosphere's part of a ray from the eye into the sky: from high up its air lies in the middle of the way.
+fn scatter_to_sky(direction: vec3f) -> Scattered { return scatter_to(direction, 1e9, 24u, 0.5 * eye_sink()); }
+
+fn scatter_to(direction: vec3f, to_t: f32, steps: u32, sink: f32) -> Scattered {
     let ray = eye_ray(direction);
     let shell = shell_hits(ray, TOP);
     if shell.y <= max(shell.x, 0.0) { return Scattered(vec3f(0.0), vec3f(1.0)); }
     let sight = Sight(ray, direction, frame.quadric_gradient, frame.sun);
-    return scatter(sight, max(shell.x, 0.0), min(shell.y, to_t), steps);
+    return scatter(sight, max(shell.x, 0.0), min(shell.y, to_t), steps, sink);
 }

@@ -70,3 +70,8 @@ fn surface_from_normal_delta(dn: vec3f) -> vec3f {
     let from_radius = (vec3f(0.0, 0.0, a2) - flat2 * frame.sin_lat * pole) * inverse_delta;
     return from_normal + from_radius - vec3f(0.0, 0.0, frame.eye_altitude);
 }
+
+// Whether the waves at a distance are smaller than a quarter of a pixel, so that the ellipsoid is the surface.
+fn waves_are_pixels(distance: Metres) -> bool {
+    return distance * frame.pixel_angle > 4.0 * frame.crest_height;
+}

@@ -1,6 +1,6 @@
 //! `ocean-globe bake`: an elevation grid and a land mask become the bundled world, six PMTiles archives.
 //!
-//! The mask decides what is sea ([`mask`], [`water`]); elevation follows it ([`elevation`], [`terrain`]). The same input
+//! The mask decides what is sea (`mask`, `water`); elevation follows it (`elevation`, `terrain`). The same input
 //! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
 //! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
 
@@ -13,12 +13,12 @@ mod terrain;
 mod water;
 mod water_tile;
 
+use super::bar;
 use crate::data::netcdf::{NetCdf, Variable};
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::archive_name;
 use crate::error::{Error, Result};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 
 /// Metres of one degree of the equator.
@@ -158,13 +158,6 @@ fn archive(
     bar.finish_and_clear();
     println!("{name}: {:.2} MB", size as f64 / 1e6);
     Ok(())
-}
-
-fn bar(what: &str, length: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:32} {wide_bar} {pos}/{len} {elapsed}");
-    ProgressBar::new(length as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-        .with_message(what.to_owned())
 }
 
 /// Evenly spaced coordinates, degrees.

@@ -2,6 +2,7 @@
 
 pub mod bake;
 pub mod bench;
+pub mod flight;
 pub mod render;
 pub mod run;
 pub mod sample;
@@ -10,6 +11,8 @@ pub mod serve;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+use render::RenderArgs;
 
 use crate::error::Result;
 
@@ -23,12 +26,20 @@ struct Cli {
 
 #[derive(Subcommand, Debug)]
 enum Command {
-    Render(render::RenderArgs),
+    Render(RenderArgs),
     Sample(sample::SampleArgs),
     Serve(serve::ServeArgs),
     Run(run::RunArgs),
     Bench(bench::BenchArgs),
     Bake(bake::BakeArgs),
+}
+
+/// A progress bar on the terminal.
+fn bar(what: &str, length: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:32} {wide_bar} {pos}/{len} {elapsed}");
+    ProgressBar::new(length as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_message(what.to_owned())
 }
 
 fn run(command: &Command) -> Result<()> {

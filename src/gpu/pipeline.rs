@@ -116,11 +116,12 @@ impl Gpu {
         })
     }
 
-    /// A drawing pipeline with entries `vertex` and `fragment`; depth, where given, is reversed (greater is nearer).
+    /// A drawing pipeline with an entry for vertices and `fragment`; depth, where given, is reversed (greater is nearer).
     pub fn drawing(
         &self,
         label: &str,
         source: &str,
+        vertex: &str,
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
         target: wgpu::TextureFormat,
@@ -134,7 +135,7 @@ impl Gpu {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module: &module,
-                entry_point: Some("vertex"),
+                entry_point: Some(vertex),
                 compilation_options: Default::default(),
                 buffers: &buffers,
             },

@@ -37,6 +37,19 @@ impl Gpu {
         Ok(bytes.chunks(padded as usize).flat_map(|line| &line[..row as usize]).copied().collect())
     }
 
+    /// The bytes of a buffer that can be copied from.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`] when the device is lost meanwhile.
+    pub fn copy_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
+        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+        let copy = self.empty_buffer("readback", usage, buffer.size());
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
+        self.queue.submit([encoder.finish()]);
+        self.read_buffer(&copy)
+    }
+
     /// The bytes of a buffer that can be mapped for reading.
     ///
     /// # Errors

@@ -7,7 +7,10 @@ use std::collections::HashSet;
 /// Every shader library by name.
 pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
+    ("bisected_mesh", include_str!("../../shaders/lib/bisected_mesh.wgsl")),
+    ("bisectors", include_str!("../../shaders/lib/bisectors.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
+    ("cuboid", include_str!("../../shaders/lib/cuboid.wgsl")),
     ("domain", include_str!("../../shaders/lib/domain.wgsl")),
     ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
     ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
@@ -20,6 +23,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("map", include_str!("../../shaders/lib/map.wgsl")),
     ("noise", include_str!("../../shaders/lib/noise.wgsl")),
     ("output", include_str!("../../shaders/lib/output.wgsl")),
+    ("projected_grid", include_str!("../../shaders/lib/projected_grid.wgsl")),
     ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
     ("stockham", include_str!("../../shaders/lib/stockham.wgsl")),
     ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),

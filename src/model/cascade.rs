@@ -121,7 +121,7 @@ impl Cascade {
 
 /// The rings of the four tiles, the longest first, with `n` samples along each side (a power of two, at least 32).
 ///
-/// Each ring starts [`RING_START`] steps of its own tile from the origin. The longer tile reaches as far from n = 256 on; at
+/// Each ring starts `RING_START` steps of its own tile from the origin. The longer tile reaches as far from n = 256 on; at
 /// n = 128 the rings of the two shortest start at 4 steps, at n = 64 at 2, which still holds all the energy but looks coarse.
 pub fn cascades(n: usize) -> [Cascade; CASCADES] {
     let highest = |i: usize| USED_BAND * std::f64::consts::PI * n as f64 / PATCHES_M[i];

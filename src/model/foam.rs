@@ -50,6 +50,26 @@ pub fn evolve(foam: f64, breaking: f64, dt_s: f64, lifetime_s: f64) -> f64 {
     relaxed(foam, breaking, dt_s, if breaking > foam { GROWTH_S } else { lifetime_s })
 }
 
+/// How long a crest breaks at one place, s, seen in texels `texel_m` metres wide: the shortest waves that a texel holds are as long as a
+/// few texels, and their period goes with the root of their length. The factor is our own: a fraction (0.15 s) of the second
+/// that waves of a metre or two take, for texels of 0.25 m.
+pub fn breaking_s(texel_m: f64) -> f64 {
+    0.3 * texel_m.sqrt()
+}
+
+/// The share of what is not yet white that a step of `dt_s` seconds leaves so where a texel `texel_m` metres wide breaks. A crest
+/// that breaks for less than a step, T, is met by chance, in one of dt/T steps: then the step grows it dt/T times as much as
+/// breaking for T does, so that the mean is right.
+pub fn ungrown(texel_m: f64, dt_s: f64) -> f64 {
+    let breaking_s = breaking_s(texel_m);
+    let grown = if dt_s < breaking_s {
+        1.0 - (-dt_s / GROWTH_S).exp()
+    } else {
+        dt_s / breaking_s * (1.0 - (-breaking_s / GROWTH_S).exp())
+    };
+    1.0 - grown.min(1.0)
+}
+
 /// Where a level breaks: saturate((threshold − μ)/softness) of a texel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fold {

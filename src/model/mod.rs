@@ -6,6 +6,7 @@
 
 pub mod beach;
 pub mod cascade;
+pub mod cuboid;
 pub mod dispersion;
 pub mod earth;
 pub mod fft;

@@ -12,6 +12,10 @@ pub struct FrameGroup {
     pub layout: wgpu::BindGroupLayout,
     /// For the draws.
     pub group: wgpu::BindGroup,
+    /// For passes that need the storage buffers for themselves: the frame's block alone.
+    pub block_layout: wgpu::BindGroupLayout,
+    /// The group of [`FrameGroup::block_layout`].
+    pub block_group: wgpu::BindGroup,
     uniform: wgpu::Buffer,
     nodes: wgpu::Buffer,
 }
@@ -34,6 +38,8 @@ impl FrameGroup {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let layout = gpu.layout("frame", stages, &binds);
         let uniform = gpu.empty_buffer("frame", B::UNIFORM | B::COPY_DST, size_of::<FrameUniform>() as u64);
+        let block_layout = gpu.layout("frame block", stages, &[Bind::Uniform]);
+        let block_group = gpu.bind("frame block", &block_layout, &[uniform.as_entire_binding()]);
         let nodes = gpu.empty_buffer("nodes", B::UNIFORM | B::COPY_DST, (size_of::<WaveNode>() * MAX_NODES) as u64);
         let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
         let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
@@ -51,7 +57,7 @@ impl FrameGroup {
                 pages[1].as_entire_binding(),
             ],
         );
-        Self { layout, group, uniform, nodes }
+        Self { layout, group, block_layout, block_group, uniform, nodes }
     }
 
     /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, and

@@ -1,8 +1,9 @@
-//! The sea: a grid projected from the screen onto the ellipsoid, over the scene that land and sky have left.
+//! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left.
 
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
+use crate::scene::settings::Mesh;
 
 /// Pixels per cell of the grid.
 const CELL_PIXELS: u32 = 4;
@@ -16,8 +17,9 @@ pub fn source() -> String {
 
 /// The pass.
 pub struct Ocean {
-    pipeline: wgpu::RenderPipeline,
-    scene_layout: wgpu::BindGroupLayout,
+    layouts: [wgpu::BindGroupLayout; 4],
+    formats: [wgpu::TextureFormat; 2],
+    pipelines: [Option<wgpu::RenderPipeline>; 2],
     scene: Option<wgpu::BindGroup>,
     size: [u32; 2],
     vertices: wgpu::Buffer,
@@ -33,28 +35,22 @@ fn mesh(size: [u32; 2]) -> (Vec<[f32; 2]>, Vec<u32>) {
 }
 
 impl Ocean {
-    /// The pass into `colour` and `depth` formats; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    /// The pass into `formats` of colour and depth; `frame` and `surface` are the layouts of bind groups 0 and 1, `triangles`
+    /// that of the bisected mesh.
     pub fn new(
         gpu: &Gpu,
         frame: &wgpu::BindGroupLayout,
         surface: &wgpu::BindGroupLayout,
-        colour: wgpu::TextureFormat,
-        depth: wgpu::TextureFormat,
+        triangles: &wgpu::BindGroupLayout,
+        formats: [wgpu::TextureFormat; 2],
     ) -> Self {
         let binds = [Bind::Texels(wgpu::TextureViewDimension::D2), Bind::Depth];
-        let scene_layout = gpu.layout("scene", wgpu::ShaderStages::FRAGMENT, &binds);
-        let attributes = wgpu::vertex_attr_array![0 => Float32x2];
-        let buffers = [wgpu::VertexBufferLayout {
-            array_stride: 8,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &attributes,
-        }];
-        let groups = [frame, surface, &scene_layout];
-        let pipeline = gpu.drawing("ocean", &source(), &groups, &buffers, colour, Some(depth));
+        let scene = gpu.layout("scene", wgpu::ShaderStages::FRAGMENT, &binds);
         let empty = |usage| gpu.empty_buffer("sea grid", usage, 4);
         Self {
-            pipeline,
-            scene_layout,
+            layouts: [frame.clone(), surface.clone(), scene, triangles.clone()],
+            formats,
+            pipelines: [None, None],
             scene: None,
             size: [0; 2],
             vertices: empty(wgpu::BufferUsages::VERTEX),
@@ -63,10 +59,29 @@ impl Ocean {
         }
     }
 
+    /// Compiles what a mesh is drawn with, once: it takes a while, and most pictures need only one of them.
+    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh) {
+        let Self { layouts, formats: [colour, depth], pipelines, .. } = self;
+        pipelines[mesh as usize].get_or_insert_with(|| {
+            let attributes = wgpu::vertex_attr_array![0 => Float32x2];
+            let grid = wgpu::VertexBufferLayout {
+                array_stride: 8,
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: &attributes,
+            };
+            let (vertex, groups, buffers) = match mesh {
+                Mesh::Grid => ("vertex_of_grid", 3, vec![grid]),
+                Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
+            };
+            let groups: Vec<_> = layouts.iter().take(groups).collect();
+            gpu.drawing("ocean", &source(), vertex, &groups, &buffers, *colour, Some(*depth))
+        });
+    }
+
     /// Takes the scene's colour and depth, and makes the grid of a picture of `size` pixels.
     pub fn set_scene(&mut self, gpu: &Gpu, size: [u32; 2], colour: &wgpu::TextureView, depth: &wgpu::TextureView) {
         let resources = [colour, depth].map(wgpu::BindingResource::TextureView);
-        self.scene = Some(gpu.bind("scene", &self.scene_layout, &resources));
+        self.scene = Some(gpu.bind("scene", &self.layouts[2], &resources));
         if size != self.size {
             let (vertices, indices) = mesh(size);
             self.vertices = gpu.buffer("sea grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices));
@@ -76,12 +91,25 @@ impl Ocean {
         }
     }
 
-    /// One draw.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipeline);
+    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        frame: &wgpu::BindGroup,
+        surface: &wgpu::BindGroup,
+        triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
+    ) {
+        let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
+        let Some(pipeline) = &self.pipelines[mesh as usize] else { return };
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         pass.set_bind_group(2, &self.scene, &[]);
+        if let Some((group, arguments)) = triangles {
+            pass.set_bind_group(3, group, &[]);
+            pass.draw_indirect(arguments, 0);
+            return;
+        }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.index_count, 0, 0..1);

@@ -44,17 +44,23 @@ impl Flight {
         self.duration_s
     }
 
+    /// The part of the way in height that is behind the eye after so many seconds, 0…1: at rest at both ends.
+    pub fn eased(&self, seconds: f64) -> f64 {
+        // `max` and `min` drop a NaN.
+        let u = (seconds / self.duration_s).max(0.0).min(1.0);
+        // Smootherstep.
+        u * u * u * (u * (u * 6.0 - 15.0) + 10.0)
+    }
+
     /// The view after so many seconds: exactly the ends at and beyond the ends.
     pub fn at(&self, seconds: f64) -> Camera {
-        let u = seconds / self.duration_s;
-        if u.is_nan() || u <= 0.0 {
+        let s = self.eased(seconds);
+        if s <= 0.0 {
             return self.from;
         }
-        if u >= 1.0 {
+        if s >= 1.0 {
             return self.to;
         }
-        // Smootherstep: at rest at both ends.
-        let s = u * u * u * (u * (u * 6.0 - 15.0) + 10.0);
         let [start, end] = [self.from, self.to].map(|camera| earth::normal(camera.lat, camera.lon));
         let (axis, angle) = arc(start, end).to_axis_angle();
         let up = DQuat::from_axis_angle(axis, angle * self.way_at(s)) * start;

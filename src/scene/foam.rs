@@ -9,9 +9,7 @@
 //!  |      |   |1 +-+  |   |      |
 //!  |      |   |  |0|e |   |      |   The four squares share one texture, a channel each.
 //! ```
-//! What has a history must be told how to begin: after a load, a jump in time or place, or a new wind, the foam is rebuilt by
-//! replaying three lifetimes of the sea at instants that depend on UTC alone ([`replay`]), so that a still picture has the same
-//! foam everywhere.
+//! How it moves on in time: [`super::foam_history`].
 
 use std::sync::{Arc, Mutex};
 
@@ -22,7 +20,6 @@ use super::settings::{Foam, FoamRule, Settings};
 use super::wave_domain::BLEND_WIDTH_M;
 use crate::model::foam::{self, Fold};
 use crate::model::sea_state;
-use crate::model::waves::TICKS_PER_SECOND;
 
 /// Squares of the map; equals `FOAM_LEVELS` in `shaders/lib/frame.wgsl`.
 pub const LEVELS: usize = 4;
@@ -37,8 +34,6 @@ pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
 /// as the map's corners are.
 pub const SERVED_M: f64 = BLEND_WIDTH_M + 2.0 * 1_300.0;
-/// Lifetimes that a replay goes back: e⁻³ is 5 %.
-const LIFETIMES: u64 = 3;
 
 /// Where whitecaps are on a sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,42 +109,8 @@ fn in_texels(at: DVec2) -> ([i32; 2], [f32; 2]) {
     ([whole.x as i32, whole.y as i32], (at - whole).as_vec2().to_array())
 }
 
-/// Distance of a replay's instants late, in the middle and early in it, ticks: powers of two, so that they lie at the same instants
-/// of UTC for everyone. A quarter of a second late in it, for a lifetime of 3.5 s: a crest that breaks for less than that is caught by
-/// chance, and the share that it covers is right in the mean.
-fn replay_steps(lifetime_s: f64) -> [u64; 3] {
-    let late = 1 << (lifetime_s / 14.0 * TICKS_PER_SECOND).max(1.0).log2().round() as u64;
-    [late, 2 * late, 4 * late]
-}
-
-/// A level is brought up to date at multiples of so many ticks on the way of a replay: coarse ones hold long waves alone, which take
-/// their time.
-pub fn replay_stride(level: usize, lifetime_s: f64) -> u64 {
-    replay_steps(lifetime_s)[(level / 2).min(1)]
-}
-
-/// The first level that an eye whose nearest water has pixels `footprint_m` wide needs; [`foam_share`](../../shaders/lib/foam.wgsl)
+/// The first level that an eye whose nearest water has pixels `footprint_m` wide needs; `foam_share` in `shaders/lib/foam.wgsl`
 /// reads no level whose texels are narrower than 1 / 2.5 of that.
 pub fn finest_level(footprint_m: f64) -> usize {
     TEXELS_M.iter().position(|side| footprint_m < 2.5 * side).unwrap_or(LEVELS - 1)
-}
-
-/// How far back a replay to an instant goes, ticks.
-pub fn replay_span(lifetime_s: f64) -> u64 {
-    LIFETIMES * (lifetime_s * TICKS_PER_SECOND) as u64
-}
-
-/// The first instant of a replay to `ticks`.
-pub fn replay_start(ticks: u64, lifetime_s: f64) -> u64 {
-    let step = replay_steps(lifetime_s)[2];
-    ticks.wrapping_sub(replay_span(lifetime_s)) / step * step
-}
-
-/// The instant that follows `from` in a replay to `to`: the next multiple of the step that its age asks for, at most `to`.
-pub fn replay_next(from: u64, to: u64, lifetime_s: f64) -> u64 {
-    let age = to.wrapping_sub(from);
-    let lifetime = replay_span(lifetime_s) / LIFETIMES;
-    let step = replay_steps(lifetime_s)[(age.saturating_sub(1) / lifetime.max(1)).min(2) as usize];
-    let next = (from / step).wrapping_add(1).wrapping_mul(step);
-    if to.wrapping_sub(next) < age { next } else { to }
 }

@@ -12,11 +12,11 @@ use super::layers::Layers;
 use super::maplibre;
 use super::number::{clamped, decimal, whole};
 use super::pair::{MAP_HASH, encode, our_pair};
-use super::settings::{Mesh, Quality, Settings, Spectrum};
+use super::settings::{Quality, Settings, Spectrum};
 use super::time::SceneTime;
 use super::values::{
-    format_foam, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_swell, parse_view,
-    parse_wind,
+    format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
+    parse_swell, parse_view, parse_wind,
 };
 use super::view_state::ViewState;
 use crate::error::Error;
@@ -108,7 +108,10 @@ impl ViewState {
             "seed" => {
                 s.seed = whole(value, 0.0..=f64::from(u32::MAX)).ok_or_else(|| bad("give a whole number"))? as u32;
             }
-            "mesh" => s.mesh = named(&Mesh::ALL, value).ok_or_else(|| bad(&names(&Mesh::ALL)))?,
+            "mesh" => {
+                (s.mesh, s.triangles) =
+                    parse_mesh(value).ok_or_else(|| bad("give grid or bisect[,pixels[,budget]]"))?;
+            }
             "quality" => s.quality = named(&Quality::ALL, value).ok_or_else(|| bad(&names(&Quality::ALL)))?,
             "layers" => {
                 let (layers, unknown) = Layers::from_ids(value);
@@ -139,7 +142,7 @@ impl ViewState {
             "time" => self.time = from.time,
             "rate" => self.rate = from.rate,
             "seed" => to.seed = settings.seed,
-            "mesh" => to.mesh = settings.mesh,
+            "mesh" => (to.mesh, to.triangles) = (settings.mesh, settings.triangles),
             "quality" => to.quality = settings.quality,
             _ => {}
         }
@@ -162,7 +165,7 @@ impl ViewState {
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),
-            "mesh" => (s.mesh != default.mesh).then(|| name_of(&Mesh::ALL, s.mesh)),
+            "mesh" => (s.mesh != default.mesh).then(|| format_mesh(s.mesh, s.triangles)),
             "quality" => (s.quality != default.quality).then(|| name_of(&Quality::ALL, s.quality)),
             "layers" => Some(s.layers.to_ids()).filter(|ids| !ids.is_empty()),
             _ => None,

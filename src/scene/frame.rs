@@ -5,12 +5,13 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 
+use super::bisection::Bisection;
 use super::camera::{Camera, FIELD_OF_VIEW_Y};
 use super::foam::{self, FoamEye, Whitecaps};
 use super::layers::Layer;
 use super::ride::surface_height;
 use super::sea::SeaTables;
-use super::settings::{FoamRule, Settings};
+use super::settings::{FoamRule, Mesh, Settings};
 use super::wave_domain::{self, MAX_NODES};
 use super::wave_nodes::{self, WaveNode};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
@@ -142,6 +143,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
+    /// Where the bisected mesh shall be refined, when it is drawn.
+    pub bisection: Option<Bisection>,
     /// The block for the GPU.
     pub uniform: FrameUniform,
     /// The wave cells around the eye.
@@ -172,7 +175,19 @@ impl Frame {
         uniform.under_water = u32::from(below);
         let whitecaps = Whitecaps::of(settings, &sea);
         let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
-        Self { camera: *camera, size, unix_seconds, sea, foam_eye, whitecaps, foam_lifetime_s, uniform, nodes }
+        let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
+        Self {
+            camera: *camera,
+            size,
+            unix_seconds,
+            sea,
+            foam_eye,
+            whitecaps,
+            foam_lifetime_s,
+            bisection,
+            uniform,
+            nodes,
+        }
     }
 
     /// The same frame, reporting a measured layer instead of the picture.

@@ -2,10 +2,12 @@
 //!
 //! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
 
+pub mod bisection;
 pub mod camera;
 pub mod drawn_tiles;
 pub mod flight;
 pub mod foam;
+pub mod foam_history;
 pub mod fragment;
 pub mod frame;
 pub mod inertia;

@@ -72,6 +72,21 @@ impl Mesh {
     pub const ALL: [(Self, &'static str); 2] = [(Self::Grid, "grid"), (Self::Bisect, "bisect")];
 }
 
+/// How fine the bisected mesh is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangles {
+    /// Length that their bases shall have on the screen, pixels, 2 to 64.
+    pub pixels: f64,
+    /// How many there are at most, 1,000 to 1,000,000: where more would be needed, all become coarser.
+    pub budget: u32,
+}
+
+impl Default for Triangles {
+    fn default() -> Self {
+        Self { pixels: 6.0, budget: 200_000 }
+    }
+}
+
 /// How much the picture may cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
@@ -120,6 +135,8 @@ pub struct Settings {
     pub seed: u32,
     /// How the surface is meshed.
     pub mesh: Mesh,
+    /// How fine it is, where it is bisected.
+    pub triangles: Triangles,
     /// What the picture may cost.
     pub quality: Quality,
     /// What is drawn.
@@ -140,6 +157,7 @@ impl Default for Settings {
             foam: Foam::default(),
             seed: 0,
             mesh: Mesh::default(),
+            triangles: Triangles::default(),
             quality: Quality::default(),
             layers: Layers::default(),
             water_density_per_m: 0.2,

@@ -1,8 +1,8 @@
 //! The values of the pairs in a link that have parts or names.
 
 use super::camera::Camera;
-use super::number::{clamped, decimal, decimal_deg, finite, wrapped_deg};
-use super::settings::{Foam, FoamRule, Swell, Wind};
+use super::number::{clamped, decimal, decimal_deg, finite, whole, wrapped_deg};
+use super::settings::{Foam, FoamRule, Mesh, Swell, Triangles, Wind};
 
 /// Lowest altitude that a link can name, metres: the deepest trench.
 pub const LOWEST_VIEW_M: f64 = -11_000.0;
@@ -107,6 +107,35 @@ pub fn format_foam(foam: Foam) -> String {
         FoamRule::Height => format!("{amount},{lifetime},{BY_HEIGHT}"),
         FoamRule::Folding if lifetime == decimal(Foam::default().lifetime_s, 3) => amount,
         FoamRule::Folding => format!("{amount},{lifetime}"),
+    }
+}
+
+/// Reads `grid` or `bisect[,pixels[,budget]]`.
+pub fn parse_mesh(text: &str) -> Option<(Mesh, Triangles)> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let (mesh, default) = (named(&Mesh::ALL, parts[0])?, Triangles::default());
+    let triangles = match parts[1..] {
+        [] => default,
+        _ if mesh == Mesh::Grid => return None,
+        [pixels] => Triangles { pixels: clamped(pixels, 2.0..=64.0)?, ..default },
+        [pixels, budget] => {
+            Triangles { pixels: clamped(pixels, 2.0..=64.0)?, budget: whole(budget, 1e3..=1e6)? as u32 }
+        }
+        _ => return None,
+    };
+    Some((mesh, triangles))
+}
+
+/// Writes a mesh, e.g. `bisect,8`; defaults at the end are left out.
+pub fn format_mesh(mesh: Mesh, triangles: Triangles) -> String {
+    let name = name_of(&Mesh::ALL, mesh);
+    let (pixels, default) = (decimal(triangles.pixels, 2), Triangles::default());
+    if mesh == Mesh::Grid || (pixels == decimal(default.pixels, 2) && triangles.budget == default.budget) {
+        name
+    } else if triangles.budget == default.budget {
+        format!("{name},{pixels}")
+    } else {
+        format!("{name},{pixels},{}", triangles.budget)
     }
 }
 

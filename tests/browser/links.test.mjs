@@ -1,24 +1,12 @@
 // The address describes the view: links restore it, the history steps through it, garbage does no harm.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { Globe, launch } from "./lib/browser.mjs";
+import { test } from "node:test";
 import { difference } from "./lib/picture.mjs";
-import { startProduct } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 import { AT_SEA, COAST, FROM_ORBIT } from "./lib/views.mjs";
 
-let browser;
-let product;
-before(async () => {
-  product = await startProduct();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  product?.close();
-});
-
-const open = (fragment) => Globe.open(browser, product.address, { fragment, query: "?panel=off" });
+const { openLink: open } = visit();
 
 test("a link restores a view: the same picture in two pages, another one for another link", async () => {
   const first = await open(AT_SEA);

@@ -1,20 +1,12 @@
 // Where the globe cannot run, the page says what is missing and what to do.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { Globe, launch } from "./lib/browser.mjs";
+import { test } from "node:test";
+import { Globe } from "./lib/browser.mjs";
 import { startBreakable } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 
-let browser;
-let server;
-before(async () => {
-  server = await startBreakable();
-  browser = await launch({ webgpu: false });
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+const site = visit({ start: startBreakable, webgpu: false });
 
 /** Waits for the notice; gives the text that a person reads. */
 async function notice(globe, heading) {
@@ -25,20 +17,20 @@ async function notice(globe, heading) {
 }
 
 test("a browser without WebGPU says so, and does not load the program", async () => {
-  server.requests.length = 0;
-  const globe = await Globe.open(browser, server.address, { prepare: (page) => page.addInitScript(() => delete Navigator.prototype.gpu) });
+  site.server.requests.length = 0;
+  const globe = await site.open({ prepare: (page) => page.addInitScript(() => delete Navigator.prototype.gpu) });
   const text = await notice(globe, "This globe needs WebGPU");
   assert.match(text, /Chrome or Edge: version 113/);
   assert.match(text, /Safari: version 26/);
   assert.match(text, /Firefox: version 141/);
   assert.equal(await globe.state(), "unsupported");
   assert.deepEqual(globe.errors(), []);
-  assert.deepEqual(server.requests.filter(({ path }) => /\.wasm$|\.pmtiles$/.test(path)), []);
+  assert.deepEqual(site.server.requests.filter(({ path }) => /\.wasm$|\.pmtiles$/.test(path)), []);
   await globe.close();
 });
 
 test("a real browser with its WebGPU off shows a notice too", async () => {
-  const globe = await Globe.open(browser, server.address);
+  const globe = await site.open();
   await notice(globe, /WebGPU|graphics card/);
   assert.equal(await globe.state(), "unsupported");
   await globe.close();
@@ -47,7 +39,7 @@ test("a real browser with its WebGPU off shows a notice too", async () => {
 test("WebGPU without a graphics card has its own remedy", async () => {
   const prepare = (page) =>
     page.addInitScript(() => Object.defineProperty(navigator, "gpu", { value: { requestAdapter: async () => null } }));
-  const globe = await Globe.open(browser, server.address, { prepare });
+  const globe = await site.open({ prepare });
   assert.match(await notice(globe, /graphics card/), /hardware acceleration/);
   assert.equal(await globe.state(), "unsupported");
   await globe.close();
@@ -55,7 +47,7 @@ test("WebGPU without a graphics card has its own remedy", async () => {
 
 test("a page from another machine over plain http is told to use https", async () => {
   const prepare = (page) => page.addInitScript(() => Object.defineProperty(window, "isSecureContext", { value: false }));
-  const globe = await Globe.open(browser, server.address, { prepare });
+  const globe = await site.open({ prepare });
   assert.match(await notice(globe, "This globe needs WebGPU"), /https/);
   await globe.close();
 });
@@ -64,7 +56,7 @@ test("a program that does not load is reported, with the reason", async () => {
   const lost = await startBreakable({ answer: (path) => (path.endsWith(".wasm") ? 503 : undefined) });
   const prepare = (page) =>
     page.addInitScript(() => Object.defineProperty(navigator, "gpu", { value: { requestAdapter: async () => ({}) } }));
-  const globe = await Globe.open(browser, lost.address, { prepare });
+  const globe = await Globe.open(site.browser, lost.address, { prepare });
   const text = await notice(globe, "The globe could not start");
   assert.match(text, /\.wasm: HTTP status 503/);
   assert.match(text, /Reload/);

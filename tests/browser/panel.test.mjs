@@ -1,24 +1,17 @@
 // The panel, by mouse and keyboard: the wind and the picture follow.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { Globe, launch } from "./lib/browser.mjs";
+import { test } from "node:test";
 import { difference } from "./lib/picture.mjs";
-import { startProduct } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 import { AT_SEA } from "./lib/views.mjs";
 
-let browser;
-let product;
 let globe;
-before(async () => {
-  product = await startProduct();
-  browser = await launch();
-  globe = await Globe.open(browser, product.address, { fragment: AT_SEA });
-  await globe.settled();
-});
-after(async () => {
-  await browser?.close();
-  product?.close();
+const site = visit({
+  first: async ({ open }) => {
+    globe = await open({ fragment: AT_SEA });
+    await globe.settled();
+  },
 });
 
 /** The left half of the screen, which the panel leaves free. */
@@ -85,7 +78,7 @@ test("the copied link is the address", async () => {
   await globe.page.mouse.click(x, y, { delay: 100 });
   await globe.page.waitForTimeout(1000);
   const { hash, text } = await globe.page.evaluate(async () => ({ hash: location.hash, text: await navigator.clipboard.readText() }));
-  assert.equal(text, `${product.address}${hash}`);
+  assert.equal(text, `${site.server.address}${hash}`);
 });
 
 test("H hides the panel, the keyboard moves the view", async () => {

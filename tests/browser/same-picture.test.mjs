@@ -7,22 +7,17 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { Globe, launch } from "./lib/browser.mjs";
 import { decode, difference, shares } from "./lib/picture.mjs";
-import { PAGE, PROGRAM, startProduct } from "./lib/servers.mjs";
+import { PAGE, PROGRAM } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 import { AT_SEA, COAST, FROM_ORBIT } from "./lib/views.mjs";
 
-let browser;
-let product;
+const site = visit();
 let folder;
 before(async () => {
-  product = await startProduct();
-  browser = await launch();
   folder = await mkdtemp(join(tmpdir(), "ocean-globe-"));
 });
 after(async () => {
-  await browser?.close();
-  product?.close();
   if (folder) await rm(folder, { recursive: true });
 });
 
@@ -33,7 +28,7 @@ for (const [name, fragment] of Object.entries({ FROM_ORBIT, COAST, AT_SEA })) {
     const native = decode(await readFile(file));
     assert.ok(shares(native).dark < 0.9, "the native picture is empty");
 
-    const globe = await Globe.open(browser, product.address, { fragment, query: "?panel=off" });
+    const globe = await site.openLink(fragment);
     await globe.settled();
     const { mean, beyond, worst } = difference(native, await globe.picture());
     t.diagnostic(`mean ${mean.toFixed(4)}, worst ${worst} of 255; ${(100 * beyond).toFixed(3)} % beyond 4`);

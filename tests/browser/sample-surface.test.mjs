@@ -3,29 +3,20 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
-import { Globe, launch } from "./lib/browser.mjs";
-import { PAGE, PROGRAM, startProduct } from "./lib/servers.mjs";
+import { PAGE, PROGRAM } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 import { AT_SEA } from "./lib/views.mjs";
 
 const TIME = "2026-11-20T12:00:00Z";
 const SEA = "#bft=8&seed=7";
 const PLACES = [[-14.25, 35.68], [-30, 20], [179.9999, -20]];
 
-let browser;
-let product;
-before(async () => {
-  product = await startProduct();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  product?.close();
-});
+const site = visit();
 
 test("sampleSurface gives the native height and normal, and clear errors", async () => {
-  const globe = await Globe.open(browser, product.address, { fragment: AT_SEA, query: "?panel=off" });
+  const globe = await site.openLink(AT_SEA);
   await globe.settled();
   const { found, errors } = await globe.page.evaluate(async ({ sea, places, time }) => {
     const program = await import(document.getElementById("program").href);

@@ -2,25 +2,15 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { Globe, launch } from "./lib/browser.mjs";
+import { test } from "node:test";
 import { colourAt, kindOf, shares } from "./lib/picture.mjs";
-import { startProduct } from "./lib/servers.mjs";
+import { visit } from "./lib/site.mjs";
 import { COAST, FROM_ORBIT } from "./lib/views.mjs";
 
-let browser;
-let product;
-before(async () => {
-  product = await startProduct();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  product?.close();
-});
+const site = visit();
 
 test("loads without an error, asks no other host, and shows sea and land", async () => {
-  const globe = await Globe.open(browser, product.address, { fragment: FROM_ORBIT, query: "?panel=off" });
+  const globe = await site.openLink(FROM_ORBIT);
   assert.equal(await globe.state(), "loading");
   await globe.settled();
   assert.deepEqual(globe.errors(), []);
@@ -36,7 +26,7 @@ test("loads without an error, asks no other host, and shows sea and land", async
 });
 
 test("the coast lies where it is: sea in the west, land in the east", async () => {
-  const globe = await Globe.open(browser, product.address, { fragment: COAST, query: "?panel=off" });
+  const globe = await site.openLink(COAST);
   await globe.settled();
   const picture = await globe.picture();
   const west = colourAt(picture, 0.1, 0.5);
@@ -48,7 +38,7 @@ test("the coast lies where it is: sea in the west, land in the east", async () =
 
 test("the waves have the same bits as natively", async () => {
   const { cases } = JSON.parse(await readFile(new URL("../oracles/same_sea.json", import.meta.url)));
-  const globe = await Globe.open(browser, product.address, { fragment: COAST, query: "?panel=off" });
+  const globe = await site.openLink(COAST);
   await globe.settled();
   const found = await globe.page.evaluate(async (seas) => {
     const program = await import(document.getElementById("program").href);
@@ -60,7 +50,7 @@ test("the waves have the same bits as natively", async () => {
 });
 
 test("the globe is a labelled element that takes the keyboard", async () => {
-  const globe = await Globe.open(browser, product.address, { fragment: FROM_ORBIT });
+  const globe = await site.open({ fragment: FROM_ORBIT });
   const canvas = globe.page.getByRole("application", { name: /globe/i });
   assert.equal(await canvas.getAttribute("tabindex"), "0");
   const help = await canvas.evaluate((element) => document.getElementById(element.getAttribute("aria-describedby")).textContent);

@@ -13,9 +13,16 @@ use ocean_globe::pass::perlin::Perlin;
 use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::sea::SeaTables;
-use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::wave_domain;
 use ocean_globe::scene::wave_nodes::WaveAnchor;
+
+#[path = "../kernel/mod.rs"]
+pub mod kernel;
+use kernel::Kernel;
+
+/// 2026-11-20T12:00:00Z.
+pub const NOON: f64 = 1_795_176_000.0;
 
 const KERNEL: &str = "#import waves
 @group(2) @binding(0) var<storage, read> places: array<vec4f>;   // east and north of the eye, distance for the mix, footprint; metres
@@ -65,6 +72,11 @@ impl Waves {
     }
 }
 
+/// A sea without chop: its water stays where it is, so that a place at rest is a place drawn.
+pub fn chopless(speed_mps: f64) -> Settings {
+    Settings { wind: Wind { speed_mps, from_deg: 250.0 }, chop: 0.0, ..Settings::default() }
+}
+
 /// A frame of a chopless sea whose eye is over the middle of a wave cell, where no other cell has a share, and on a vertex of
 /// lattices so wide that no other vertex has one: the water of one placement of each tile.
 pub fn frame(settings: &Settings, unix_seconds: f64) -> Frame {
@@ -90,8 +102,8 @@ pub struct Water {
     pub gpu: Gpu,
     pub fft: Fft,
     pub perlin: Perlin,
-    layouts: [wgpu::BindGroupLayout; 3],
-    pipeline: wgpu::ComputePipeline,
+    layouts: [wgpu::BindGroupLayout; 2],
+    kernel: Kernel<1>,
 }
 
 impl Water {
@@ -99,17 +111,17 @@ impl Water {
     pub fn new(n: usize, precision: Precision, edited: impl Fn(String) -> String) -> Self {
         use wgpu::TextureViewDimension::*;
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
-        let stages = wgpu::ShaderStages::COMPUTE;
-        let layouts = [
-            gpu.layout("frame", stages, &[Bind::Uniform, Bind::Uniform, Bind::Sampler, Bind::Sampler]),
-            gpu.layout("surface", stages, &[D2Array, D2Array, D2Array, D2].map(Bind::Texture)),
-            gpu.layout("places", stages, &[Bind::Storage, Bind::StorageWrite]),
-        ];
-        let source = edited(shader::composed(KERNEL, ""));
-        let [pipeline] = gpu.compute("drawn", &source, &layouts.each_ref(), ["drawn"]);
+        let waves = [D2Array, D2Array, D2Array, D2].map(Bind::Texture);
+        let layouts = [kernel::frame_layout(&gpu), gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &waves)];
+        let kernel = Kernel::new(&gpu, &edited(shader::composed(KERNEL, "")), "drawn", &layouts.each_ref());
         let fft = Fft::new(&gpu, n, waves::CASCADES, precision).sharpened(true);
         let perlin = Perlin::new(&gpu);
-        Self { gpu, fft, perlin, layouts, pipeline }
+        Self { gpu, fft, perlin, layouts, kernel }
+    }
+
+    /// Another kernel on the same water: its groups 0 and 1 are those of the frame and of the surface.
+    pub fn kernel<const N: usize>(&self, source: &str, entry: &str) -> Kernel<N> {
+        Kernel::new(&self.gpu, source, entry, &self.layouts.each_ref())
     }
 
     /// Runs the waves at an instant.
@@ -120,6 +132,11 @@ impl Water {
             water.fft.dispatch(pass);
             water.fft.dispatch_mips(pass);
         });
+    }
+
+    /// Runs the waves of a sea, with a seed, at a time.
+    pub fn set_sea(&mut self, waves: &Waves, seed: u32, unix_seconds: f64) {
+        self.set_waves(&waves.tiles, &waves.data(seed), waves::ticks_from_unix(unix_seconds));
     }
 
     /// Runs the far sea of a frame.
@@ -137,59 +154,46 @@ impl Water {
         self.gpu.queue.submit([encoder.finish()]);
     }
 
+    /// Bind groups 0 and 1 of a frame.
+    pub fn groups(&self, frame: &Frame) -> [wgpu::BindGroup; 2] {
+        let gpu = &self.gpu;
+        let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+        let [a, b, c] = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
+        let views = [a, b, c, texture::view(&self.perlin.texture)];
+        [
+            kernel::frame_group(gpu, &self.layouts[0], &uniform, &frame.nodes),
+            gpu.bind("surface", &self.layouts[1], &views.each_ref().map(wgpu::BindingResource::TextureView)),
+        ]
+    }
+
     /// The water at places (east and north of the eye, distance, footprint; metres).
     pub fn at(&self, frame: &Frame, places: &[[f32; 4]]) -> Vec<Drawn> {
-        use wgpu::BufferUsages as B;
-        let gpu = &self.gpu;
-        let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(&frame.nodes));
-        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
-        let tiles = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
-        let noise = texture::view(&self.perlin.texture);
-        let input = gpu.buffer("places", B::STORAGE, bytemuck::cast_slice(places));
-        let size = places.len() as u64 * 32;
-        let output = gpu.empty_buffer("found", B::STORAGE | B::COPY_SRC, size);
-        let copy = gpu.empty_buffer("found", B::MAP_READ | B::COPY_DST, size);
-        let bind =
-            |index: usize, resources: &[wgpu::BindingResource]| gpu.bind("drawn", &self.layouts[index], resources);
-        let view = wgpu::BindingResource::TextureView;
-        let groups = [
-            bind(
-                0,
-                &[
-                    uniform.as_entire_binding(),
-                    nodes.as_entire_binding(),
-                    wgpu::BindingResource::Sampler(&clamped),
-                    wgpu::BindingResource::Sampler(&repeated),
-                ],
-            ),
-            bind(1, &[view(&tiles[0]), view(&tiles[1]), view(&tiles[2]), view(&noise)]),
-            bind(2, &[input.as_entire_binding(), output.as_entire_binding()]),
-        ];
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        {
-            let mut pass = encoder.begin_compute_pass(&Default::default());
-            pass.set_pipeline(&self.pipeline);
-            for (index, group) in (0..).zip(&groups) {
-                pass.set_bind_group(index, group, &[]);
-            }
-            pass.dispatch_workgroups((places.len() as u32).div_ceil(64), 1, 1);
-        }
-        encoder.copy_buffer_to_buffer(&output, 0, &copy, 0, size);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = gpu.read_buffer(&copy).unwrap();
-        let drawn = |bytes: &[u8]| {
-            let [height, _, _, _, x, y, rx, ry] = bytemuck::pod_read_unaligned::<[f32; 8]>(bytes).map(f64::from);
+        let [found] = self.kernel.run::<_, [f32; 8]>(&self.gpu, &self.groups(frame).each_ref(), places);
+        let drawn = |values: [f32; 8]| {
+            let [height, _, _, _, x, y, rx, ry] = values.map(f64::from);
             Drawn { height, slope: [x, y], rough: [rx, ry] }
         };
-        bytes.chunks_exact(32).map(drawn).collect()
+        found.into_iter().map(drawn).collect()
     }
 }
 
 /// Place `index` of a plane-filling sequence in a square of `side_m`, m: the multiples of 1/ρ and 1/ρ², ρ³ = ρ + 1.
 pub fn place(index: usize, side_m: f64) -> [f64; 2] {
     [0.754_877_666_246_692_7, 0.569_840_290_998_053_2].map(|step| (index as f64 * step).fract() * side_m)
+}
+
+/// For each pair (distance for the mix, footprint; m) `count` places in a square of `side_m`, from the sequence's `first` on.
+pub fn places(pairs: &[[f64; 2]], first: usize, count: usize, side_m: f64) -> Vec<[f32; 4]> {
+    let at = |[distance, footprint]: [f64; 2], index: usize| {
+        let [x, y] = place(index, side_m);
+        [x, y, distance, footprint].map(|metres| metres as f32)
+    };
+    pairs.iter().flat_map(|&pair| (first..first + count).map(move |index| at(pair, index))).collect()
+}
+
+/// The mean of a value over places.
+pub fn mean(drawn: &[Drawn], value: impl Fn(&Drawn) -> f64) -> f64 {
+    drawn.iter().map(value).sum::<f64>() / drawn.len() as f64
 }
 
 /// A mean with its standard error, from one value for each realisation.

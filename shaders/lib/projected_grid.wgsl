@@ -1,0 +1,56 @@
+// A grid even on the screen, cast onto the ellipsoid from the eye, or, where crests may stand higher than the eye, from a projector
+// raised above the highest.
+#import ellipsoid
+
+// The ellipsoid's point under a device coordinate, cast from the projector.
+fn projected(device: vec2f) -> vec3f {
+    var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    // The surface over an eye under water lies where the mirrored eye above it looks.
+    if frame.under_water == 1u { direction.z = -abs(direction.z); }
+    let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
+    let rise = vec3f(0.0, 0.0, frame.projector_rise);
+    var t = surface_hit(ray);
+    if t >= 0.0 { return direction * t + rise; }
+    // The ray misses. Far off, its closest approach: the fragments decide by their own rays where the limb is.
+    t = max(-ray.b / ray.a, 0.0);
+    if waves_are_pixels(t) {
+        // A few cells beyond the limb are enough.
+        let p = direction * t + rise;
+        let beyond = height_along(ray, t) - 16.0 * t * frame.pixel_angle;
+        return p - max(beyond, 0.0) * (normal_delta(p) + vec3f(0.0, 0.0, 1.0));
+    }
+    // Near, the point of the horizon below the ray, so that no triangle spans the sea.
+    let tangent = sqrt(max(ray.c, 0.0) / ray.a);
+    let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
+    return tangent * vec3f(direction.xy / max(length(direction.xy), 1e-6), -dip) + rise;
+}
+
+const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
+const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
+const NEAREST: Metres = 0.7;
+
+// Rest position of a grid vertex. Among high waves the chop moves water into the screen from beside and behind the eye, so
+// the grid's rims run on from the screen's edges: up and sideways, and below the eye to behind it, denser towards the eye.
+fn rest_position(grid: vec2f) -> vec3f {
+    let reach = frame.rim_reach;
+    let low_rim = select(0.02, 0.35, reach > 0.0);
+    let y = 0.5 * (grid.y + 1.0);
+    let below = clamp(1.0 - y / low_rim, 0.0, 1.0);
+    let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
+    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim, 0.0) / (1.0 - low_rim)));
+    let rest = projected(device);
+    if reach == 0.0 { return rest; }
+    let right = normalize(frame.ray_right.xy);
+    let ahead = vec2f(-right.y, right.x);
+    let above = clamp((y - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
+    let moved = rest + vec3f((right * beside + ahead * above) * reach, 0.0);
+    if below == 0.0 { return moved; }
+    let from_distance = dot(rest.xy, ahead);
+    var distance = from_distance - below * reach;
+    if from_distance > NEAREST {
+        let nearing = min(below / 0.8, 1.0);
+        distance = from_distance * pow(NEAREST / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
+    }
+    let aside = dot(rest.xy, right) * clamp(distance / max(from_distance, NEAREST), 0.02, 1.0) + reach * (beside + grid.x * below);
+    return vec3f(ahead * distance + right * aside, -frame.eye_altitude);
+}

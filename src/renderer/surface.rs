@@ -1,0 +1,177 @@
+//! The water's surface as all passes read it (bind group 1): waves, far sea, foam and skylight, kept up to the frame's sea and
+//! instant.
+
+use std::sync::Arc;
+
+use crate::gpu::Gpu;
+use crate::gpu::pipeline::Bind;
+use crate::gpu::texture;
+use crate::model::waves::CASCADES;
+use crate::pass::fft::{Fft, Precision, WaveData};
+use crate::pass::foam::Foam;
+use crate::pass::perlin::Perlin;
+use crate::pass::sky_table::SkyTable;
+use crate::scene::foam::Whitecaps;
+use crate::scene::foam_history::History;
+use crate::scene::frame::Frame;
+use crate::scene::sea::SeaTables;
+
+/// Samples along a side of the tiles until the first sea says otherwise.
+const SAMPLES: usize = 256;
+
+/// The passes that make the surface, and whose it is.
+pub(super) struct Surface {
+    fft: Fft,
+    perlin: Perlin,
+    foam: Foam,
+    history: History,
+    /// Skylight: radiance and irradiance.
+    sky: [wgpu::TextureView; 2],
+    /// Layout of bind group 1.
+    pub(super) layout: wgpu::BindGroupLayout,
+    /// One for each foam map.
+    groups: [wgpu::BindGroup; 2],
+    sea: Option<Arc<SeaTables>>,
+    whitecaps: Option<Whitecaps>,
+    /// Whether the frame itself makes the foam's last step.
+    foam_step: bool,
+    replaying: bool,
+}
+
+impl Surface {
+    /// A surface without a sea; `frame` is the layout of bind group 0.
+    pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, sky: &SkyTable) -> Self {
+        use wgpu::TextureViewDimension::{D2, D2Array, D3};
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
+        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
+        // The foam map is read texel by texel.
+        binds[4] = Bind::Texels(D2);
+        let layout = gpu.layout("surface", stages, &binds);
+        let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
+        let perlin = Perlin::new(gpu);
+        let foam = Foam::new(gpu, frame, &layout);
+        let sky = [sky.radiance.clone(), sky.irradiance.clone()];
+        let groups = groups(gpu, &layout, &fft, &perlin, &foam, &sky);
+        Self {
+            fft,
+            perlin,
+            foam,
+            history: History::default(),
+            sky,
+            layout,
+            groups,
+            sea: None,
+            whitecaps: None,
+            foam_step: false,
+            replaying: false,
+        }
+    }
+
+    /// Bind group 1 with the present foam map.
+    pub(super) fn group(&self) -> &wgpu::BindGroup {
+        &self.groups[self.foam.current()]
+    }
+
+    /// Forgets the foam's history.
+    pub(super) fn forget(&mut self) {
+        self.history.reset();
+    }
+
+    /// Makes the waves of a sea that is not the last one.
+    pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame) {
+        if self.whitecaps != Some(frame.whitecaps) {
+            self.whitecaps = Some(frame.whitecaps);
+            self.history.reset();
+        }
+        let sea = &frame.sea;
+        if self.sea.as_ref().is_some_and(|kept| kept == sea) {
+            return;
+        }
+        let n = sea.cascades[0].n;
+        if n != self.fft.samples() {
+            self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
+            self.groups = groups(gpu, &self.layout, &self.fft, &self.perlin, &self.foam, &self.sky);
+        }
+        self.fft.set_waves(gpu, &sea.cascades, &WaveData::of(sea));
+        self.history.reset();
+        self.sea = Some(sea.clone());
+    }
+
+    /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own.
+    /// `frame_group` is bind group 0 with the frame.
+    pub(super) fn replay(&mut self, gpu: &Gpu, frame: &Frame, frame_group: &wgpu::BindGroup, mut budget: usize) {
+        self.replaying = false;
+        let Some(lifetime_s) = frame.foam_lifetime_s else { return self.history.reset() };
+        let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
+        while let Some(instant) = self.history.next_instant(ticks, eye, lifetime_s).filter(|instant| *instant != ticks)
+        {
+            if budget == 0 {
+                self.replaying = true;
+                return;
+            }
+            budget -= 1;
+            self.foam.prepare(gpu, &self.history.step(instant, eye, lifetime_s));
+            self.fft.set_time(gpu, instant);
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            {
+                let mut pass = encoder.begin_compute_pass(&Default::default());
+                self.fft.dispatch(&mut pass);
+                self.fft.dispatch_stretch_mips(&mut pass);
+                self.foam.dispatch(&mut pass, frame_group, &self.groups[self.foam.current()]);
+            }
+            gpu.queue.submit([encoder.finish()]);
+        }
+    }
+
+    /// Sets the frame's instant, for waves, far sea and the foam's last step.
+    pub(super) fn prepare(&mut self, gpu: &Gpu, frame: &Frame) {
+        let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
+        let lifetime_s = frame.foam_lifetime_s.filter(|_| !self.replaying);
+        let due = lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s).is_some());
+        if let Some(lifetime_s) = due {
+            self.foam.prepare(gpu, &self.history.step(ticks, eye, lifetime_s));
+        }
+        self.foam_step = due.is_some();
+        self.fft.set_time(gpu, ticks);
+        self.perlin.prepare(gpu, frame);
+    }
+
+    /// Records the frame's waves, far sea, their mip levels, and the foam's last step.
+    pub(super) fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame_group: &wgpu::BindGroup) {
+        self.fft.dispatch(pass);
+        self.perlin.dispatch(pass);
+        self.fft.dispatch_mips(pass);
+        self.perlin.dispatch_mips(pass);
+        if self.foam_step {
+            self.foam.dispatch(pass, frame_group, &self.groups[self.foam.current()]);
+        }
+    }
+
+    /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.
+    pub(super) fn is_replaying(&self) -> bool {
+        self.replaying
+    }
+}
+
+/// Bind group 1 with either foam map.
+fn groups(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    fft: &Fft,
+    perlin: &Perlin,
+    foam: &Foam,
+    [radiance, irradiance]: &[wgpu::TextureView; 2],
+) -> [wgpu::BindGroup; 2] {
+    foam.maps.each_ref().map(|map| {
+        let views = [
+            texture::array_view(&fft.displacements),
+            texture::array_view(&fft.slopes),
+            texture::array_view(&fft.stretches),
+            texture::view(&perlin.texture),
+            map.clone(),
+            radiance.clone(),
+            irradiance.clone(),
+        ];
+        gpu.bind("surface", layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
+    })
+}
