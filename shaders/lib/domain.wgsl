@@ -106,7 +106,8 @@ fn placement(node: u32, tile: u32, spacing: Metres, patch_length: Metres, triang
     let wind = nodes[node].wind;
     let along = vec2f(-wind.x * level.x - wind.y * level.y, wind.y * level.x - wind.x * level.y);
     let bits = hash(vec3u(bitcast<vec2u>(vertex), nodes[node].key + tile * 0x9E3779B9u));
-    let offset = vec2f(f32(bits >> 16u), f32(bits & 0xFFFFu)) / 65536.0;
+    // About zero, so that the sum is rounded least.
+    let offset = vec2f(f32(bits >> 16u), f32(bits & 0xFFFFu)) / 65536.0 - 0.5;
     let plane = mat2x2f(nodes[node].axis_x.xy, nodes[node].axis_y.xy);
     let east = vec2f(north.y, -north.x);
     return Placement(along / patch_length + offset, plane * (-wind.x * east - wind.y * north), plane * (wind.y * east - wind.x * north));

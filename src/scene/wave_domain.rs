@@ -239,7 +239,7 @@ impl Plane {
     fn offset(&self, tile: usize, [i, j]: [i32; 2]) -> DVec2 {
         let key = self.key.wrapping_add((tile as u32).wrapping_mul(0x9E37_79B9));
         let bits = noise::hash([i as u32, j as u32, key]);
-        DVec2::new(f64::from(bits >> 16), f64::from(bits & 0xFFFF)) / 65_536.0
+        DVec2::new(f64::from(bits >> 16), f64::from(bits & 0xFFFF)) / 65_536.0 - 0.5
     }
 }
 
