@@ -116,12 +116,11 @@ impl Gpu {
         })
     }
 
-    /// A drawing pipeline with an entry for vertices and `fragment`; depth, where given, is reversed (greater is nearer).
+    /// A drawing pipeline from a source with its entry for vertices, and `fragment`; depth, where given, is reversed (greater is nearer).
     pub fn drawing(
         &self,
         label: &str,
-        source: &str,
-        vertex: &str,
+        (source, vertex): (&str, &str),
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
         target: wgpu::TextureFormat,

@@ -62,7 +62,7 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let pipeline = gpu.drawing("land", &source(), "vertex", &[frame, surface], &buffers, colour, Some(depth));
+        let pipeline = gpu.drawing("land", (&source(), "vertex"), &[frame, surface], &buffers, colour, Some(depth));
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {

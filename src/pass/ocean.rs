@@ -74,7 +74,7 @@ impl Ocean {
                 Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
             };
             let groups: Vec<_> = layouts.iter().take(groups).collect();
-            gpu.drawing("ocean", &source(), vertex, &groups, &buffers, *colour, Some(*depth))
+            gpu.drawing("ocean", (&source(), vertex), &groups, &buffers, *colour, Some(*depth))
         });
     }
 

@@ -20,7 +20,7 @@ impl Sky {
         surface: &wgpu::BindGroupLayout,
         format: wgpu::TextureFormat,
     ) -> Self {
-        Self { pipeline: gpu.drawing("sky", &source(), "vertex", &[frame, surface], &[], format, None) }
+        Self { pipeline: gpu.drawing("sky", (&source(), "vertex"), &[frame, surface], &[], format, None) }
     }
 
     /// One triangle over the picture.

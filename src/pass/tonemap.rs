@@ -20,7 +20,7 @@ impl Tonemap {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         let binds = [Bind::Texels(wgpu::TextureViewDimension::D2)];
         let layout = gpu.layout("tonemap", wgpu::ShaderStages::FRAGMENT, &binds);
-        let pipeline = gpu.drawing("tonemap", &source(), "vertex", &[&layout], &[], format, None);
+        let pipeline = gpu.drawing("tonemap", (&source(), "vertex"), &[&layout], &[], format, None);
         Self { layout, pipeline, group: None }
     }
 
