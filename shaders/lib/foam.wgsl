@@ -6,6 +6,8 @@
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
+const LACE_RAMP: f32 = 0.4;
+const FOAM_HIGHEST: Metres = 4000.0;    // eyes above this see no map
 
 // Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {
@@ -14,7 +16,8 @@ fn foam_coordinates(p: vec3f) -> vec2f {
 
 // Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for.
 fn share_beyond(height: Metres, footprint: Metres) -> f32 {
-    let contrast = 0.8 * (1.0 - smoothstep(0.05, 0.4, footprint / frame.perlin_patch * 5.0));
+    // The triangles are four footprints wide: before they flatten the longest waves, a fifth of the tile, crests must not matter.
+    let contrast = 0.8 * (1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)));
     let deviations = 4.0 * height / max(frame.wave_height, 1e-3);
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
 }
@@ -31,25 +34,33 @@ fn foam_between(origin: vec2i, texels: vec2f, level: u32) -> f32 {
         mix(textureLoad(foam_map, (cell + vec2i(0, 1)) & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 1)) & mask, 0)[level], f.x), f.y);
 }
 
+// Weight of a square whose texels are as wide as `side`: 1 for footprints under 0.35 of that, 0 over 2.5 times that. Even in the
+// logarithm: neighbouring squares have whitecaps of their own, and whoever rises must not see the one give way to the other.
+fn coarser_than(side: Metres, footprint: Metres) -> f32 {
+    return clamp((1.32 - log2(footprint / side)) / 2.82, 0.0, 1.0);
+}
+
 // Share covered, 0…1, of a rest point with the water at `height`. Each square serves as far as it reaches and while its texels are
-// not finer than the footprint; what no square serves has the share that the wind asks for.
+// not much finer than the footprint; what no square serves has the share that the wind asks for.
 fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
     if frame.foam_rule == FOAM_HEIGHT {
         return clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
     }
     let beyond = share_beyond(height, footprint);
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
+    // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.
+    let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
     var open = 1.0;
     var share = 0.0;
     for (var level = 0u; level < FOAM_LEVELS; level++) {
         let square = frame.foam_levels[level];
         let reach = max(abs(at.x), abs(at.y)) / (square.side * f32(FOAM_TEXELS / 2));
-        let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * (1.0 - smoothstep(1.0, 2.5, footprint / square.side));
+        let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(square.side, footprint);
         if weight <= 0.0 { continue; }
         share += weight * foam_between(square.texel, square.fraction + at / square.side, level);
         open -= weight;
     }
-    return share + open * beyond;
+    return mix(beyond, share + open * beyond, shown);
 }
 
 fn lattice_value(cell: vec2i, salt: u32) -> f32 {
@@ -75,6 +86,15 @@ fn foam_noise(texels: vec2f, octave: i32) -> f32 {
         mix(lattice_value(cell + vec2i(0, 1), salt), lattice_value(cell + vec2i(1, 1), salt), u.x), u.y);
 }
 
+// What covers a point of the lace: a ramp of LACE_RAMP over the noise, which is uniform, laid so that its mean is the share. Where
+// less than half of a ramp is wanted its foot alone rises out of the water: thin foam, not specks of thick foam.
+fn covered(share: f32, level: f32) -> f32 {
+    let little = min(share, 1.0 - share);
+    let reach = select(little + 0.5 * LACE_RAMP, sqrt(2.0 * LACE_RAMP * little), little < 0.5 * LACE_RAMP);
+    // Above a half the water's share is the one that tears.
+    return select(clamp((level - 1.0 + reach) / LACE_RAMP, 0.0, 1.0), 1.0 - clamp((reach - level) / LACE_RAMP, 0.0, 1.0), share > 0.5);
+}
+
 // Foam tears into lace and flecks: a share covers the points where a noise lies above it, so that the mean stays the share. The
 // noise's cells are a few pixels wide, or as wide as whitecaps are.
 fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
@@ -93,7 +113,5 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let noise = mix(0.45 * fine + 0.55 * middle, 0.45 * middle + 0.55 * coarse, scale - f32(octave));
     // The sum of two such noises, spread to about uniform again.
     let level = smoothstep(0.15, 0.85, noise);
-    // No softer than the share itself: the mean of this over a uniform level is the share.
-    let soft = min(0.4, min(share, 1.001 - share));
-    return mix(smoothstep(1.0 - share - soft, 1.0 - share + soft, level), share, blurred);
+    return mix(covered(share, level), share, blurred);
 }
