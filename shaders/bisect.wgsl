@@ -40,7 +40,7 @@ fn follow(slot: u32) {
 fn split(slot: u32, edge: u32) {
     let old = mark(slot, edge);
     if (old & SPLIT_BASE) == 0u { follow(slot); }
-    if edge == BASE || (old >> edge & 1u) == 1u { return; }
+    if edge == BASE || ((old >> edge) & 1u) == 1u { return; }
     let across = link(slot, edge);
     let theirs = edge_against(across, slot);
     if (mark(across, theirs) & SPLIT_BASE) == 0u && theirs != BASE { follow(across); }
@@ -117,11 +117,11 @@ fn plan(@builtin(global_invocation_id) id: vec3u) {
         own.x = free_slot(rank);
         own.z = free_slot(rank + 1u);
         rank += 2u;
-        if (command >> LEFT & 1u) == 1u {
+        if ((command >> LEFT) & 1u) == 1u {
             own.y = free_slot(rank);
             rank += 1u;
         }
-        if (command >> RIGHT & 1u) == 1u { own.w = free_slot(rank); }
+        if ((command >> RIGHT) & 1u) == 1u { own.w = free_slot(rank); }
         pieces[slot] = own;
         return;
     }
@@ -151,10 +151,10 @@ fn owner(slot: u32, edge: u32, half: u32) -> u32 {
     let own = pieces[slot];
     if command == 0u { return slot; }
     if (command & MERGE) != 0u { return own.x; }
-    let halved = (command >> edge & 1u) == 1u;
+    let halved = ((command >> edge) & 1u) == 1u;
     if edge == LEFT { return select(own.x, own.y, halved && half == 1u); }
     if edge == RIGHT { return select(own.z, own.w, halved && half == 1u); }
-    return select(select(own.x, own.y, (command >> LEFT & 1u) == 1u), own.z, half == 1u);
+    return select(select(own.x, own.y, ((command >> LEFT) & 1u) == 1u), own.z, half == 1u);
 }
 
 // What lies across an edge of a slot, or a half of it; a triangle there that stays learns of its new neighbour, `piece`.
@@ -185,8 +185,8 @@ fn bisect(slot: u32, command: u32) {
     let m = middle(t.left, t.right);
     // The pieces on either side of the line from the apex to the middle of the base.
     let left_inner = own.x;
-    let right_inner = select(own.z, own.w, (command >> RIGHT & 1u) == 1u);
-    if (command >> LEFT & 1u) == 0u {
+    let right_inner = select(own.z, own.w, ((command >> RIGHT) & 1u) == 1u);
+    if ((command >> LEFT) & 1u) == 0u {
         create(own.x, Triangle(m, t.apex, t.left),
             vec3u(outside(slot, LEFT, 0u, own.x), right_inner, outside(slot, BASE, 0u, own.x)), depth);
     } else {
@@ -195,7 +195,7 @@ fn bisect(slot: u32, command: u32) {
         create(own.y, Triangle(n, t.left, m),
             vec3u(outside(slot, BASE, 0u, own.y), outside(slot, LEFT, 1u, own.y), own.x), depth + 1u);
     }
-    if (command >> RIGHT & 1u) == 0u {
+    if ((command >> RIGHT) & 1u) == 0u {
         create(own.z, Triangle(m, t.right, t.apex),
             vec3u(outside(slot, RIGHT, 0u, own.z), outside(slot, BASE, 1u, own.z), left_inner), depth);
     } else {

@@ -61,7 +61,7 @@ fn edge_against(slot: u32, other: u32) -> u32 {
 
 fn capacity() -> u32 { return arrayLength(&commands); }
 
-fn is_live(slot: u32) -> bool { return (atomicLoad(&tree[slot >> 5u]) >> (slot & 31u) & 1u) == 1u; }
+fn is_live(slot: u32) -> bool { return ((atomicLoad(&tree[slot >> 5u]) >> (slot & 31u)) & 1u) == 1u; }
 
 // Whether the splits that are asked for have no room: then none is made in this update.
 fn is_short() -> bool {

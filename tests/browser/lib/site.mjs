@@ -13,7 +13,7 @@ export function visit({ start = startProduct, webgpu = true, first } = {}) {
     /** The globe in a page of its own; options as for `Globe.open`. */
     open: (options) => Globe.open(site.browser, site.server.address, options),
     /** The globe of a link, without its panel. */
-    openLink: (fragment) => site.open({ fragment, query: "?panel=off" }),
+    openLink: (fragment, size) => site.open({ fragment, size, query: "?panel=off" }),
   };
   before(async () => {
     site.server = await start();
