@@ -91,8 +91,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var distance = length(in.local);
     let to_eye = -in.local / max(distance, 1e-3);
     let far_hit = surface_hit(eye_ray(-to_eye));
-    // 0.4 %: what the sea pass takes for the same place. A ray over a ridge meets the ellipsoid much farther on.
-    if chords_show(distance) && abs(far_hit - distance) < 0.004 * distance {
+    // 0.4 %: what the sea pass takes for the same place. A ray over a ridge meets the ellipsoid much farther on; a coarse triangle
+    // may lie far below it.
+    if chords_show(distance) && far_hit >= 0.0 && far_hit < 1.004 * distance {
         // From space the pixel's own ray tells the place, as it does for the sea, so that no pixel falls between the two.
         distance = far_hit;
         dn = normal_delta(-to_eye * distance);

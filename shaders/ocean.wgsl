@@ -10,6 +10,8 @@
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
+const LIFT_PIXELS = 2.0;       // half a pixel, and the chords of edges some pixels long
+
 struct Vertex {
     @builtin(position) position: vec4f,
     @location(0) rest: vec3f,          // on the ellipsoid
@@ -36,6 +38,15 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z);
 }
 
+// The bisected mesh ends at the limb, and its chords before: beyond the waves it is lifted by pixels, and the fragments' own rays decide.
+fn lifted(place: Place) -> Place {
+    let distance = length(place.rest);
+    let share = smoothstep(1.0, 2.0, distance * frame.pixel_angle / (4.0 * frame.crest_height));
+    if share <= 0.0 || frame.under_water == 1u { return place; }
+    let up = normal_delta(place.rest) + vec3f(0.0, 0.0, 1.0);
+    return Place(place.rest, place.moved + LIFT_PIXELS * share * distance * frame.pixel_angle * up, place.height);
+}
+
 fn vertex_at(place: Place) -> Vertex {
     return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height);
 }
@@ -56,15 +67,15 @@ fn vertex_of_bisection(@builtin(vertex_index) index: u32) -> Vertex {
     let rest = rest_of(corner);
     let own = placed(rest, wished_length(rest));
     let edge = parents(corner);
-    if !edge.exists { return vertex_at(own); }
+    if !edge.exists { return vertex_at(lifted(own)); }
     let grown = grown_share(edge);
-    if grown >= 1.0 { return vertex_at(own); }
+    if grown >= 1.0 { return vertex_at(lifted(own)); }
     let first = rest_of(edge.first);
     let second = rest_of(edge.second);
     let a = placed(first, wished_length(first));
     let b = placed(second, wished_length(second));
-    return vertex_at(Place(mix(0.5 * (a.rest + b.rest), own.rest, grown), mix(0.5 * (a.moved + b.moved), own.moved, grown),
-        mix(0.5 * (a.height + b.height), own.height, grown)));
+    return vertex_at(lifted(Place(mix(0.5 * (a.rest + b.rest), own.rest, grown), mix(0.5 * (a.moved + b.moved), own.moved, grown),
+        mix(0.5 * (a.height + b.height), own.height, grown))));
 }
 
 // Unit vector along the wind, which blows from the same bearing everywhere.
@@ -74,6 +85,27 @@ fn along_wind(up: vec3f) -> vec3f {
     return normalize(wind + 1e-6 * vec3f(1.0, 0.0, 0.0));
 }
 
+// A pixel that the ellipsoid's limb or horizon runs through: the share that the ellipsoid fills, from the ray's distance to it.
+struct Limb { coverage: f32, nearest: f32 }
+
+fn limb_of(ray: Ray, direction: vec3f) -> Limb {
+    let t = max(-ray.b / ray.a, 0.0);
+    // Pixels off the picture's centre are seen under a smaller angle.
+    let pixel = t * frame.pixel_angle * dot(direction, frame.ray_forward);
+    return Limb(clamp(0.5 - height_along(ray, t) / max(pixel, 1e-6), 0.0, 1.0), t);
+}
+
+// The pixel beside one on the limb, on the sky's side; `p` is on the limb and `up` its vertical.
+fn pixel_beyond(pixel: vec2u, p: vec3f, up: vec3f) -> vec2u {
+    let right = normalize(frame.ray_right);
+    let top = normalize(frame.ray_up);
+    let ahead = dot(p, frame.ray_forward);
+    let receding = dot(up, frame.ray_forward);
+    let out = vec2f(dot(up, right) * ahead - dot(p, right) * receding, dot(p, top) * receding - dot(up, top) * ahead);
+    let step = round(out / max(length(out), 1e-9));
+    return vec2u(clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0));
+}
+
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     var distance = length(in.moved);
@@ -81,11 +113,20 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
     var rest = in.rest;
     var moved = in.moved;
+    var limb = Limb(1.0, 0.0);
+    var misses = false;
     if waves_are_pixels(distance) {
-        distance = surface_hit(eye_ray(direction));
-        if distance < 0.0 {
-            discard;
-            return vec4f(0.0);
+        let ray = eye_ray(direction);
+        distance = surface_hit(ray);
+        if ray.c > 0.0 { limb = limb_of(ray, direction); }
+        misses = distance < 0.0;
+        if misses {
+            // A measured layer says what lies under the middle of a pixel; a picture, what fills it.
+            if limb.coverage <= 0.0 || frame.output != PICTURE {
+                discard;
+                return vec4f(0.0);
+            }
+            distance = limb.nearest;
         }
         rest = direction * distance;
         moved = rest;
@@ -130,6 +171,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
     let air = scatter_to_surface(direction, distance);
-    let radiance = water * air.transmittance + air.radiance;
+    var radiance = water * air.transmittance + air.radiance;
+    if limb.coverage < 1.0 {
+        // The scene under the limb is the sea's bed: what is beyond stands beside it.
+        var beyond = pixel;
+        if !misses { beyond = pixel_beyond(pixel, direction * limb.nearest, up); }
+        radiance = mix(textureLoad(scene_colour, beyond, 0).rgb / max(frame.exposure, 1e-9), radiance, limb.coverage);
+    }
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
 }

@@ -51,6 +51,7 @@ pub struct Renderer {
     tonemap: Tonemap,
     targets: Option<Targets>,
     moving: bool,
+    clear: wgpu::Color,
     visible: Vec<TileId>,
     complete: bool,
 }
@@ -95,6 +96,7 @@ impl Renderer {
             mesh,
             targets: None,
             moving: false,
+            clear: wgpu::Color::BLACK,
             visible: Vec::new(),
             complete: false,
             gpu,
@@ -158,7 +160,7 @@ impl Renderer {
         let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));
         let layers = frame.uniform.layers;
         {
-            let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+            let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(self.clear), None);
             if layers & 4 != 0 {
                 self.sky.draw(&mut pass, frame_group, surface);
             }
@@ -233,6 +235,11 @@ impl Renderer {
     /// Tells whether the next frames follow each other: a moving picture must not wait for its foam.
     pub fn set_moving(&mut self, moving: bool) {
         self.moving = moving;
+    }
+
+    /// Sets what a picture shows where nothing is drawn, as scene radiance; black unless set. A loud colour shows cracks.
+    pub fn set_clear_colour(&mut self, clear: wgpu::Color) {
+        self.clear = clear;
     }
 
     /// Whether the foam's history is being replayed or the mesh refined: that needs frames, and nothing from outside.
