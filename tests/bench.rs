@@ -3,8 +3,11 @@
 use std::path::Path;
 use std::process::Command;
 
+use ocean_globe::cli::render::{draw, headless, parse_state};
+use ocean_globe::gpu::texture;
 use ocean_globe::pass::ocean::grid_cells;
-use ocean_globe::scene::frame::cell_pixels;
+use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::{Output, cell_pixels};
 use ocean_globe::scene::settings::Quality;
 use serde_json::Value;
 
@@ -57,6 +60,29 @@ fn the_record_of_a_height_is_that_of_its_frames() {
         }
     }
     assert!(grid["updates"].is_null() && number(bisect, "updates") > -1.0);
+}
+
+/// Weight of the noise in each pixel, and the frame's dispatches.
+fn noise_of(renderer: &Renderer) -> (Vec<f32>, usize) {
+    let texels = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let weights = texels.chunks_exact(16).map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel)[0]);
+    (weights.collect(), renderer.cost().unwrap().dispatches)
+}
+
+#[test]
+fn a_frame_without_noise_neither_shows_nor_makes_it() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    let state = parse_state("#view=35.68,-14.25,30000&bft=8&time=2026-11-20T12:00:00Z&quality=low").unwrap();
+    let (frame, target) = draw(&mut renderer, &state, [32, 32], Output::PerlinWeight).unwrap();
+    let (weights, dispatches) = noise_of(&renderer);
+    assert!(weights.iter().all(|weight| *weight == 1.0), "beyond 16 km the noise is alone");
+    let mut encoder = renderer.gpu().device.create_command_encoder(&Default::default());
+    renderer.render(&mut encoder, &frame.without_noise(), &texture::view(&target));
+    renderer.gpu().queue.submit([encoder.finish()]);
+    let (weights, fewer) = noise_of(&renderer);
+    assert!(weights.iter().all(|weight| *weight == 0.0));
+    // The sky's two tables are made once.
+    assert_eq!(dispatches - fewer, 2 + 3);
 }
 
 #[test]
