@@ -74,7 +74,7 @@ impl Way {
 pub struct Height {
     /// The mesh's name in links.
     pub mesh: &'static str,
-    /// Altitude of the eye, metres.
+    /// Altitude that the view asks for, metres.
     pub altitude_m: f64,
     /// Work of a frame.
     pub cost: Cost,
@@ -149,7 +149,7 @@ impl Heights {
         };
         let height = |mesh, way: Way, updates, noise| Height {
             mesh,
-            altitude_m: eye.altitude_m,
+            altitude_m: state.camera.altitude_m,
             cost: costs[way as usize].unwrap_or_default(),
             frame_ms: median(times[way as usize].clone()),
             tessellation: share(way, Way::Coarse),
