@@ -11,7 +11,7 @@ build:  ## builds the page into dist/ and the native program, if anything has ch
 test:   ## sets up and runs every test: native, headless GPU, browser
 	@scripts/test.sh
 
-bench:  ## measures the waves on CPU and GPU, then what a frame costs at every named view; tables, and JSON in target/bench
+bench:  ## measures the waves on CPU and GPU, then what a frame costs at every named view and from five heights; tables, and JSON in target/bench
 	@cargo bench --locked --bench waves
 	@cargo run --release --locked -- bench -o target/bench/views.json
 

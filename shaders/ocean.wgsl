@@ -56,7 +56,7 @@ fn vertex_of_grid(@location(0) grid: vec2f) -> Vertex {
     let rest = rest_position(grid);
     let distance = length(rest);
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
-    let spacing = distance * frame.pixel_angle * 4.0 / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
+    let spacing = distance * frame.pixel_angle * frame.cell_pixels / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
     return vertex_at(placed(rest, spacing));
 }
 

@@ -21,10 +21,12 @@ use crate::scene::settings;
 use crate::scene::tiles::visible_tiles;
 use crate::scene::view_state::ViewState;
 
+mod cost;
 mod mesh;
 mod surface;
 mod targets;
 
+pub use cost::Cost;
 use mesh::Mesh;
 use surface::Surface;
 use targets::{DEPTH_FORMAT, Targets, begin};
@@ -52,6 +54,8 @@ pub struct Renderer {
     targets: Option<Targets>,
     moving: bool,
     clear: wgpu::Color,
+    /// Of the last frame.
+    dispatches: usize,
     visible: Vec<TileId>,
     complete: bool,
 }
@@ -97,6 +101,7 @@ impl Renderer {
             targets: None,
             moving: false,
             clear: wgpu::Color::BLACK,
+            dispatches: 0,
             visible: Vec::new(),
             complete: false,
             gpu,
@@ -146,8 +151,10 @@ impl Renderer {
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
+        self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
         self.ocean.prepare(&self.gpu, self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect));
         self.land.set_tiles(&self.gpu, &self.visible);
+        self.dispatches = self.sky_table.dispatches() + self.surface.dispatches() + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
 
         {
@@ -201,7 +208,7 @@ impl Renderer {
             return;
         }
         let targets = Targets::new(&self.gpu, size, self.radiance_format);
-        self.ocean.set_scene(&self.gpu, size, &texture::view(&targets.scene), &targets.scene_depth);
+        self.ocean.set_scene(&self.gpu, &texture::view(&targets.scene), &targets.scene_depth);
         self.tonemap.set_scene(&self.gpu, &texture::view(&targets.radiance));
         self.targets = Some(targets);
     }

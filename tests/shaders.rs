@@ -135,7 +135,7 @@ fn structs_have_the_same_members_at_the_same_places() {
             lace_texel,
             lace_fraction,
             perlin_spacing,
-            unused_a,
+            cell_pixels,
             unused_b,
             unused_c,
             node_count,

@@ -68,7 +68,7 @@ struct Frame {
     lace_texel: vec2i,         // of the eye in the foam's lace, which is aligned with the wind, and the way into it
     lace_fraction: vec2f,
     perlin_spacing: Metres,
-    unused_a: f32,
+    cell_pixels: f32,          // along a cell of the projected grid
     unused_b: f32,
     unused_c: f32,
     node_count: u32,

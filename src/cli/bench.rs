@@ -1,4 +1,4 @@
-//! `ocean-globe bench`: what a frame costs on this machine, as a table and as JSON.
+//! `ocean-globe bench`: what a frame costs on this machine, as tables and as JSON.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -10,13 +10,24 @@ use crate::error::{Error, Result};
 use crate::gpu::texture::{self, Shape};
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
+use crate::scene::view_state::ViewState;
 use crate::scene::views::VIEWS;
 
-/// Measure the time of a frame at every named view.
+mod heights;
+use heights::{Height, Heights};
+
+/// Measure the time of a frame at every named view, and what heights and meshes cost.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  ocean-globe bench                            a table, 640x360
-  ocean-globe bench --size 1920x1080 -o bench.json")]
+  ocean-globe bench                            two tables, 640x360
+  ocean-globe bench --size 1920x1080 -o bench.json
+  ocean-globe bench --state '#view=35.68,-14.25,9,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=extreme' --size 1920x1080
+                                               more than a million triangles, waves of 2048 x 2048
+
+The second table draws one gale from five heights while the eye moves. Its shares say how much longer a frame takes
+  tessellation   than on a grid of a sixteenth of the vertices
+  updates        than with the same bisected triangles at rest
+  noise          than where the wave tiles make the far sea as well, without the noise")]
 pub struct BenchArgs {
     /// Width and height in pixels.
     #[arg(long, default_value = "640x360")]
@@ -24,6 +35,9 @@ pub struct BenchArgs {
     /// Frames per view, back to back; the median counts.
     #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub frames: u16,
+    /// This view, a link's fragment, instead of the named ones.
+    #[arg(long)]
+    pub state: Option<String>,
     /// A JSON file to write as well.
     #[arg(short, long)]
     pub output: Option<PathBuf>,
@@ -32,22 +46,42 @@ pub struct BenchArgs {
     pub data: String,
 }
 
+/// Named views whose heights are compared, from the lowest.
+const HEIGHTS: [&str; 5] = ["gale", "coast", "islands", "ocean", "globe"];
+
 /// Milliseconds from recording a frame until the device has finished it, and the part of it spent recording.
 fn frame_ms(renderer: &mut Renderer, frame: &Frame, target: &wgpu::TextureView) -> Result<[f64; 2]> {
     let gpu = renderer.gpu().clone();
+    let wait = || gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::gpu(e, "try again"));
+    wait()?;
     let start = Instant::now();
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     renderer.render(&mut encoder, frame, target);
     let commands = encoder.finish();
     let encoded = start.elapsed();
     gpu.queue.submit([commands]);
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::gpu(e, "try again"))?;
+    wait()?;
     Ok([start.elapsed(), encoded].map(|time| time.as_secs_f64() * 1e3))
 }
 
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// The views to measure, by name, and those whose heights are compared.
+fn views(state: Option<&str>) -> Result<[Vec<(&'static str, ViewState)>; 2]> {
+    if let Some(fragment) = state {
+        let given = vec![("state", parse_state(fragment)?)];
+        return Ok([given.clone(), given]);
+    }
+    // One sea for all heights: they shall differ in nothing else.
+    let heights = HEIGHTS.iter().filter_map(|id| VIEWS.iter().find(|view| view.id == *id)).map(|view| {
+        let mut state = view.state();
+        state.settings.beaufort = Some(8);
+        (view.id, state)
+    });
+    Ok([VIEWS.iter().map(|view| (view.id, view.state())).collect(), heights.collect()])
 }
 
 /// Runs the command.
@@ -55,18 +89,17 @@ fn median(mut times: Vec<f64>) -> f64 {
 /// # Errors
 /// What was wrong with the options, the data or the device.
 pub fn run(args: &BenchArgs) -> Result<()> {
-    let size = parse_size(&args.size)?;
+    let (size, [views, heights]) = (parse_size(&args.size)?, views(args.state.as_deref())?);
     let mut renderer = headless(&args.data, Radiance::Half)?;
     let gpu = renderer.gpu().clone();
     let target =
         gpu.texture("bench", Shape::picture(size[0], size[1]), TARGET_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
     let target = texture::view(&target);
     println!("{}, {}x{}, median of {} frames", gpu.adapter, size[0], size[1], args.frames);
-    println!("{:<12} {:>10} {:>12}", "view", "frame ms", "encode ms");
+    println!("{:<12} {:>10} {:>12} {:>10} {:>9}", "view", "frame ms", "encode ms", "triangles", "waves");
     let mut rows = Vec::new();
-    for view in &VIEWS {
-        let state = parse_state(&format!("#{}", view.fragment))?;
-        let (mut frame, _) = draw(&mut renderer, &state, size, Output::Picture)?;
+    for (name, state) in &views {
+        let (mut frame, _) = draw(&mut renderer, state, size, Output::Picture)?;
         let mut times = Vec::new();
         for _ in 0..args.frames {
             // A tenth of a second later each time: nothing may be kept from the frame before.
@@ -74,11 +107,26 @@ pub fn run(args: &BenchArgs) -> Result<()> {
             times.push(frame_ms(&mut renderer, &frame, &target)?);
         }
         let [whole, encode] = [0, 1].map(|part| median(times.iter().map(|t| t[part]).collect()));
-        println!("{:<12} {whole:>10.2} {encode:>12.3}", view.id);
-        rows.push(serde_json::json!({ "view": view.id, "frame_ms": whole, "encode_ms": encode }));
+        let (triangles, samples) = (renderer.cost()?.triangles, frame.sea.cascades[0].n);
+        println!("{name:<12} {whole:>10.2} {encode:>12.3} {triangles:>10} {:>9}", format!("4x{samples}²"));
+        rows.push(serde_json::json!({
+            "view": name, "frame_ms": whole, "encode_ms": encode, "triangles": triangles, "samples": samples,
+        }));
+    }
+    drop(renderer);
+    println!("\n{}", Height::head());
+    let mut compared = Heights::new(&gpu, &args.data, target, size)?;
+    let mut records = Vec::new();
+    for (name, state) in &heights {
+        for height in compared.measure(state, args.frames)? {
+            println!("{}", height.row());
+            records.push(height.json(name));
+        }
     }
     let Some(path) = &args.output else { return Ok(()) };
-    let record = serde_json::json!({ "adapter": gpu.adapter, "size": size, "frames": args.frames, "views": rows });
+    let record = serde_json::json!({
+        "adapter": gpu.adapter, "size": size, "frames": args.frames, "views": rows, "heights": records,
+    });
     std::fs::write(path, format!("{record:#}\n"))
         .map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))
 }

@@ -32,6 +32,9 @@ const SIDE: u32 = 64;
 /// Updates after which a mesh at rest changes no more: one for each depth of a triangle.
 pub const SETTLING: u32 = 64;
 
+/// Dispatches of an update.
+pub const DISPATCHES: usize = ENTRIES.len();
+
 const ENTRIES: [&str; 6] = ["classify", "plan", "apply", "count", "account", "list"];
 
 /// The composed shader.

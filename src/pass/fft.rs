@@ -251,6 +251,11 @@ impl Fft {
         self.mips.dispatch_from(pass, 2);
     }
 
+    /// Dispatches of one [`Fft::dispatch_stretch_mips`]: a third of those of [`Fft::dispatch_mips`].
+    pub fn stretch_mip_dispatches(&self) -> usize {
+        self.mips.dispatches() / 3
+    }
+
     /// Dispatches of one [`Fft::dispatch_mips`].
     pub fn mip_dispatches(&self) -> usize {
         self.mips.dispatches()

@@ -9,6 +9,8 @@ use crate::scene::foam_history::FoamStep;
 
 /// 32 bits: 16 would round the small steps of a fast picture away, each driver in its own way.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// Dispatches of one [`Foam::dispatch`].
+pub const DISPATCHES: usize = 1;
 /// Texels along a side of a workgroup.
 const SIDE: u32 = 8;
 

@@ -5,11 +5,6 @@ use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
 use crate::scene::settings::Mesh;
 
-/// Pixels per cell of the grid.
-const CELL_PIXELS: u32 = 4;
-/// Cells along a side, at most: with two triangles per cell more than a million of them.
-const MOST_CELLS: u32 = 800;
-
 /// The composed shader.
 pub fn source() -> String {
     shader::composed(include_str!("../../shaders/ocean.wgsl"), "")
@@ -21,14 +16,18 @@ pub struct Ocean {
     formats: [wgpu::TextureFormat; 2],
     pipelines: [Option<wgpu::RenderPipeline>; 2],
     scene: Option<wgpu::BindGroup>,
-    size: [u32; 2],
+    cells: [u32; 2],
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
 }
 
-fn mesh(size: [u32; 2]) -> (Vec<[f32; 2]>, Vec<u32>) {
-    let [columns, rows] = size.map(|pixels| pixels.div_ceil(CELL_PIXELS).clamp(16, MOST_CELLS));
+/// Columns and rows of the grid of a picture of `size` pixels.
+pub fn grid_cells(size: [u32; 2], cell_pixels: u32) -> [u32; 2] {
+    size.map(|pixels| pixels.div_ceil(cell_pixels).max(16))
+}
+
+fn mesh([columns, rows]: [u32; 2]) -> (Vec<[f32; 2]>, Vec<u32>) {
     let at = |i: u32, n: u32| 2.0 * i as f32 / n as f32 - 1.0;
     let row = |j: u32| (0..=columns).map(move |i| [at(i, columns), at(j, rows)]);
     ((0..=rows).flat_map(row).collect(), grid_triangles(columns, rows))
@@ -52,7 +51,7 @@ impl Ocean {
             formats,
             pipelines: [None, None],
             scene: None,
-            size: [0; 2],
+            cells: [0; 2],
             vertices: empty(wgpu::BufferUsages::VERTEX),
             indices: empty(wgpu::BufferUsages::INDEX),
             index_count: 0,
@@ -78,17 +77,27 @@ impl Ocean {
         });
     }
 
-    /// Takes the scene's colour and depth, and makes the grid of a picture of `size` pixels.
-    pub fn set_scene(&mut self, gpu: &Gpu, size: [u32; 2], colour: &wgpu::TextureView, depth: &wgpu::TextureView) {
+    /// Takes the scene's colour and depth.
+    pub fn set_scene(&mut self, gpu: &Gpu, colour: &wgpu::TextureView, depth: &wgpu::TextureView) {
         let resources = [colour, depth].map(wgpu::BindingResource::TextureView);
         self.scene = Some(gpu.bind("scene", &self.layouts[2], &resources));
-        if size != self.size {
-            let (vertices, indices) = mesh(size);
+    }
+
+    /// Makes the grid of a picture of `size` pixels, unless it is there.
+    pub fn set_grid(&mut self, gpu: &Gpu, size: [u32; 2], cell_pixels: u32) {
+        let cells = grid_cells(size, cell_pixels);
+        if cells != self.cells {
+            let (vertices, indices) = mesh(cells);
             self.vertices = gpu.buffer("sea grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices));
             self.indices = gpu.buffer("sea indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices));
             self.index_count = indices.len() as u32;
-            self.size = size;
+            self.cells = cells;
         }
+    }
+
+    /// Vertices and triangles of the grid.
+    pub fn grid_counts(&self) -> [u32; 2] {
+        [self.cells.map(|n| n + 1).iter().product(), self.index_count / 3]
     }
 
     /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw.

@@ -99,8 +99,13 @@ impl Perlin {
         pass.dispatch_workgroups(groups, groups, 1);
     }
 
-    /// One dispatch per mip level.
+    /// One dispatch per four mip levels.
     pub fn dispatch_mips(&self, pass: &mut wgpu::ComputePass) {
         self.mips.dispatch(pass);
+    }
+
+    /// Dispatches of [`Perlin::dispatch`] and [`Perlin::dispatch_mips`].
+    pub fn dispatches(&self) -> usize {
+        1 + self.mips.dispatches()
     }
 }

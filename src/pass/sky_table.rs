@@ -42,6 +42,11 @@ impl SkyTable {
         Self { pipelines, group, done: false, radiance, irradiance }
     }
 
+    /// Dispatches that the next [`SkyTable::dispatch`] makes.
+    pub fn dispatches(&self) -> usize {
+        if self.done { 0 } else { self.pipelines.len() }
+    }
+
     /// Fills the tables the first time; nothing afterwards.
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup) {
         if std::mem::replace(&mut self.done, true) {

@@ -1,7 +1,8 @@
 //! The bisected mesh, kept up to the frame's eye; nothing of it exists before a frame asks for it.
 
+use crate::error::Result;
 use crate::gpu::Gpu;
-use crate::pass::bisect::{Bisect, SETTLING, capacity_for, drawn_layout};
+use crate::pass::bisect::{Bisect, DISPATCHES, SETTLING, capacity_for, drawn_layout};
 use crate::scene::bisection::Bisection;
 use crate::scene::frame::Frame;
 
@@ -83,6 +84,16 @@ impl Mesh {
         for _ in 0..self.due {
             bisect.dispatch(pass, frame_block);
         }
+    }
+
+    /// Dispatches of the frame's updates.
+    pub(super) fn dispatches(&self) -> usize {
+        self.due as usize * DISPATCHES
+    }
+
+    /// Vertices that are drawn; `None` where the grid is. Waits for the device.
+    pub(super) fn read_vertices(&self, gpu: &Gpu) -> Option<Result<u32>> {
+        self.bisect.as_ref().map(|bisect| Ok(bisect.read_state(gpu)?.vertices))
     }
 
     /// What the sea draws instead of the grid: bind group 3 and the arguments of the draw.

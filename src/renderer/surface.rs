@@ -8,7 +8,7 @@ use crate::gpu::pipeline::Bind;
 use crate::gpu::texture;
 use crate::model::waves::CASCADES;
 use crate::pass::fft::{Fft, Precision, WaveData};
-use crate::pass::foam::Foam;
+use crate::pass::foam::{self, Foam};
 use crate::pass::perlin::Perlin;
 use crate::pass::sky_table::SkyTable;
 use crate::scene::foam::Whitecaps;
@@ -36,6 +36,10 @@ pub(super) struct Surface {
     /// Whether the frame itself makes the foam's last step.
     foam_step: bool,
     replaying: bool,
+    /// Dispatches of the last [`Surface::replay`].
+    replayed: usize,
+    /// Whether the frame shows the far sea's noise.
+    noise: bool,
 }
 
 impl Surface {
@@ -64,6 +68,8 @@ impl Surface {
             whitecaps: None,
             foam_step: false,
             replaying: false,
+            replayed: 0,
+            noise: true,
         }
     }
 
@@ -100,7 +106,7 @@ impl Surface {
     /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own.
     /// `frame_group` is bind group 0 with the frame.
     pub(super) fn replay(&mut self, gpu: &Gpu, frame: &Frame, frame_group: &wgpu::BindGroup, mut budget: usize) {
-        self.replaying = false;
+        (self.replaying, self.replayed) = (false, 0);
         let Some(lifetime_s) = frame.foam_lifetime_s else { return self.history.reset() };
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
         while let Some(instant) = self.history.next_instant(ticks, eye, lifetime_s).filter(|instant| *instant != ticks)
@@ -110,6 +116,7 @@ impl Surface {
                 return;
             }
             budget -= 1;
+            self.replayed += self.fft.dispatches() + self.fft.stretch_mip_dispatches() + foam::DISPATCHES;
             self.foam.prepare(gpu, &self.history.step(instant, eye, lifetime_s));
             self.fft.set_time(gpu, instant);
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -132,6 +139,7 @@ impl Surface {
             self.foam.prepare(gpu, &self.history.step(ticks, eye, lifetime_s));
         }
         self.foam_step = due.is_some();
+        self.noise = frame.has_noise();
         self.fft.set_time(gpu, ticks);
         self.perlin.prepare(gpu, frame);
     }
@@ -139,12 +147,23 @@ impl Surface {
     /// Records the frame's waves, far sea, their mip levels, and the foam's last step.
     pub(super) fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame_group: &wgpu::BindGroup) {
         self.fft.dispatch(pass);
-        self.perlin.dispatch(pass);
+        if self.noise {
+            self.perlin.dispatch(pass);
+        }
         self.fft.dispatch_mips(pass);
-        self.perlin.dispatch_mips(pass);
+        if self.noise {
+            self.perlin.dispatch_mips(pass);
+        }
         if self.foam_step {
             self.foam.dispatch(pass, frame_group, &self.groups[self.foam.current()]);
         }
+    }
+
+    /// Dispatches of the frame, those of its replay included.
+    pub(super) fn dispatches(&self) -> usize {
+        let noise = if self.noise { self.perlin.dispatches() } else { 0 };
+        let foam = if self.foam_step { foam::DISPATCHES } else { 0 };
+        self.replayed + self.fft.dispatches() + self.fft.mip_dispatches() + noise + foam
     }
 
     /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.

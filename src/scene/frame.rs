@@ -11,7 +11,7 @@ use super::foam::{self, FoamEye, Whitecaps};
 use super::layers::Layer;
 use super::ride::surface_height;
 use super::sea::SeaTables;
-use super::settings::{FoamRule, Mesh, Settings};
+use super::settings::{FoamRule, Mesh, Quality, Settings};
 use super::wave_domain::{self, MAX_NODES};
 use super::wave_nodes::{self, WaveNode};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
@@ -108,7 +108,7 @@ pub struct FrameUniform {
     pub lace_texel: [i32; 2],
     pub lace_fraction: [f32; 2],
     pub perlin_spacing: f32,
-    pub unused_a: f32,
+    pub cell_pixels: f32,
     pub unused_b: f32,
     pub unused_c: f32,
     pub node_count: u32,
@@ -155,6 +155,18 @@ pub struct Frame {
 pub const MIX_NEAR_M: f64 = 2_000.0;
 /// Farther than this the Perlin field alone does.
 pub const MIX_FAR_M: f64 = 16_000.0;
+/// Farther than anything, metres.
+const NEVER_M: f32 = 1e30;
+
+/// Cells along a side of the projected grid, at most: with two triangles each two million of them.
+const MOST_CELLS: u32 = 1024;
+
+/// Pixels along a cell of the projected grid of a picture of `size` pixels.
+pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
+    let wished = if quality == Quality::Extreme { 2 } else { 4 };
+    wished.max(size[0].max(size[1]).div_ceil(MOST_CELLS))
+}
+
 impl Frame {
     /// The frame that `camera` sees at a UTC instant, `size` in pixels.
     pub fn new(settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
@@ -166,6 +178,7 @@ impl Frame {
         set_map(&mut uniform, camera);
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
+        uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
         let (nodes, count, foam_eye) = wave_nodes::around(&uniform, settings, camera, &sea);
         uniform.node_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
@@ -194,6 +207,17 @@ impl Frame {
     pub fn measuring(mut self, output: Output) -> Self {
         self.uniform.output = output as u32;
         self
+    }
+
+    /// The same frame without the Perlin field: the tiles make the waves at any distance. For measurements.
+    pub fn without_noise(mut self) -> Self {
+        (self.uniform.mix_near, self.uniform.mix_far) = (NEVER_M, 2.0 * NEVER_M);
+        self
+    }
+
+    /// Whether anything of the Perlin field can be seen.
+    pub fn has_noise(&self) -> bool {
+        self.uniform.mix_near < NEVER_M
     }
 
     /// The share of the time that goes by in scene seconds is none of the frame's business; this is the instant in wave ticks.

@@ -36,6 +36,7 @@ pub fn tile_samples(quality: Quality) -> usize {
         Quality::Auto | Quality::Medium => 256,
         Quality::High => 512,
         Quality::Ultra => 1024,
+        Quality::Extreme => 2048,
     }
 }
 

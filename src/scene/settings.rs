@@ -101,16 +101,19 @@ pub enum Quality {
     High,
     /// For pictures.
     Ultra,
+    /// For stills and measurements: more than a million triangles at 1920 by 1080.
+    Extreme,
 }
 
 impl Quality {
     /// Every quality with its name in links.
-    pub const ALL: [(Self, &'static str); 5] = [
+    pub const ALL: [(Self, &'static str); 6] = [
         (Self::Auto, "auto"),
         (Self::Low, "low"),
         (Self::Medium, "medium"),
         (Self::High, "high"),
         (Self::Ultra, "ultra"),
+        (Self::Extreme, "extreme"),
     ];
 }
 

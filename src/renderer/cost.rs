@@ -1,0 +1,32 @@
+//! What a frame asks of the device.
+
+use super::Renderer;
+use crate::error::Result;
+
+/// The work of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Vertices of the sea's mesh: the grid's own, or three for each of the bisected triangles in view.
+    pub vertices: u32,
+    /// Triangles of the sea's mesh.
+    pub triangles: u32,
+    /// Compute dispatches, those of the foam's replay included.
+    pub dispatches: usize,
+}
+
+impl Renderer {
+    /// What the last [`Renderer::render`] took. Waits for the device where the mesh is bisected: only the device knows its triangles.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::Gpu`] when the device is lost.
+    pub fn cost(&self) -> Result<Cost> {
+        let [vertices, triangles] = match self.mesh.read_vertices(&self.gpu) {
+            Some(vertices) => {
+                let vertices = vertices?;
+                [vertices, vertices / 3]
+            }
+            None => self.ocean.grid_counts(),
+        };
+        Ok(Cost { vertices, triangles, dispatches: self.dispatches })
+    }
+}

@@ -1,0 +1,95 @@
+//! `bench`: what its record says of a frame is what the frame is made of.
+
+use std::path::Path;
+use std::process::Command;
+
+use ocean_globe::cli::render::{draw, headless, parse_state};
+use ocean_globe::gpu::texture;
+use ocean_globe::pass::ocean::grid_cells;
+use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::{Output, cell_pixels};
+use ocean_globe::scene::settings::Quality;
+use serde_json::Value;
+
+/// The record of a view, measured once in 96x64.
+fn record(name: &str, view: &str) -> Value {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+    let output = Command::new(env!("CARGO_BIN_EXE_ocean-globe"))
+        .args(["bench", "--frames", "1", "--size", "96x64", "--data", data, "--state", view, "-o"])
+        .arg(&path)
+        .output()
+        .expect("a program");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let record = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    println!("{}{record:#}", String::from_utf8_lossy(&output.stdout));
+    record
+}
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
+}
+
+#[test]
+fn the_record_of_a_height_is_that_of_its_frames() {
+    let view = "#view=35.68,-14.25,560,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=low&mesh=bisect,12,4000";
+    let record = record("bench.json", view);
+    let [view, grid, bisect] = [&record["views"][0], &record["heights"][0], &record["heights"][1]];
+    assert_eq!((&grid["mesh"], &bisect["mesh"]), (&"grid".into(), &"bisect".into()));
+    assert_eq!(number(view, "samples"), 128.0);
+
+    // A vertex at each corner of the 24 by 16 cells that four pixels make.
+    assert_eq!(number(grid, "vertices"), 25.0 * 17.0);
+    assert_eq!(number(grid, "triangles"), 2.0 * 24.0 * 16.0);
+    // The first table draws the mesh that the view asks for; it is at rest there, and the second has come a little farther.
+    let [drawn, at_rest] = [number(bisect, "triangles"), number(view, "triangles")];
+    assert_eq!(number(bisect, "vertices"), 3.0 * drawn);
+    assert!(at_rest > 300.0 && at_rest <= 4000.0, "{at_rest}");
+    assert!((drawn / at_rest - 1.0).abs() < 0.1, "{drawn} triangles, {at_rest} at rest");
+
+    // Rows and columns; five levels below 128 samples, four in a dispatch, of three textures; the noise, six levels below its 256;
+    // a step of the foam. Then two updates of six.
+    let waves = 2.0 + 2.0 * 3.0 + (1.0 + 2.0) + 1.0;
+    assert_eq!(number(grid, "dispatches"), waves);
+    assert_eq!(number(bisect, "dispatches"), waves + 12.0);
+    for height in [grid, bisect] {
+        assert!(number(height, "frame_ms") > 0.0);
+        assert!((number(height, "altitude_m") - 560.0).abs() < 1.0);
+        for share in ["tessellation", "noise"] {
+            assert!(number(height, share) > -1.0);
+        }
+    }
+    assert!(grid["updates"].is_null() && number(bisect, "updates") > -1.0);
+}
+
+/// Weight of the noise in each pixel, and the frame's dispatches.
+fn noise_of(renderer: &Renderer) -> (Vec<f32>, usize) {
+    let texels = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let weights = texels.chunks_exact(16).map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel)[0]);
+    (weights.collect(), renderer.cost().unwrap().dispatches)
+}
+
+#[test]
+fn a_frame_without_noise_neither_shows_nor_makes_it() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    let state = parse_state("#view=35.68,-14.25,30000&bft=8&time=2026-11-20T12:00:00Z&quality=low").unwrap();
+    let (frame, target) = draw(&mut renderer, &state, [32, 32], Output::PerlinWeight).unwrap();
+    let (weights, dispatches) = noise_of(&renderer);
+    assert!(weights.iter().all(|weight| *weight == 1.0), "beyond 16 km the noise is alone");
+    let mut encoder = renderer.gpu().device.create_command_encoder(&Default::default());
+    renderer.render(&mut encoder, &frame.without_noise(), &texture::view(&target));
+    renderer.gpu().queue.submit([encoder.finish()]);
+    let (weights, fewer) = noise_of(&renderer);
+    assert!(weights.iter().all(|weight| *weight == 0.0));
+    // The sky's two tables are made once.
+    assert_eq!(dispatches - fewer, 2 + 3);
+}
+
+#[test]
+fn the_extreme_quality_has_more_than_a_million_triangles_in_full_hd() {
+    let [columns, rows] = grid_cells([1920, 1080], cell_pixels(Quality::Extreme, [1920, 1080]));
+    assert!(2 * columns * rows > 1_000_000, "{columns} by {rows}");
+    // What a picture of any size asks for stays within WebGPU's smallest buffer, 256 MiB, at 24 bytes of indices a cell.
+    let [columns, rows] = grid_cells([8192, 8192], cell_pixels(Quality::Extreme, [8192, 8192]));
+    assert!(24 * columns * rows <= 256 << 20, "{columns} by {rows}");
+}
