@@ -110,8 +110,12 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let fine = foam_noise(texels, octave - 1);
     let middle = foam_noise(texels, octave);
     let coarse = foam_noise(texels, octave + 1);
-    let noise = mix(0.45 * fine + 0.55 * middle, 0.45 * middle + 0.55 * coarse, scale - f32(octave));
-    // The sum of two such noises, spread to about uniform again.
-    let level = smoothstep(0.15, 0.85, noise);
+    // Octaves vary alike and independently: brought to the deviation of one of them, their sum has the same distribution anywhere
+    // between two octaves, and the same share of the water lies above a level.
+    let part = scale - f32(octave);
+    let weights = mix(vec3f(0.45, 0.55, 0.0), vec3f(0.0, 0.45, 0.55), part);
+    let noise = (dot(weights, vec3f(fine, middle, coarse)) - 0.5) / length(weights);
+    // Its distribution function, fitted to its quantiles: a normal one's with thinner tails.
+    let level = 0.5 + 0.5 * tanh(noise * (3.4 + 6.3 * noise * noise));
     return mix(covered(share, level), share, blurred);
 }
