@@ -99,14 +99,14 @@ impl Sweep {
                 sums[place] = water(renderer, &state, self.size, radii);
             }
         }
-        let is_high = |height: f64| usize::from(height > FEW_WAVES_M);
-        // At the height `at`, of the part and as many places as the height `of` has, shrunk or whole.
+        let is_low = |height: f64| height <= FEW_WAVES_M;
+        // At the height `at`, of the part and as many places as the height `of` has, shrunk (0) or whole (1).
         let mean = |at: usize, of: usize, whole: usize| {
-            let part = is_high(heights[of]);
-            let sum: DVec2 = sums[at][..places(heights[of])].iter().map(|sums| sums[2 * part + whole]).sum();
+            let first = if is_low(heights[of]) { 0 } else { 2 };
+            let sum: DVec2 = sums[at][..places(heights[of])].iter().map(|sums| sums[first + whole]).sum();
             sum.x / sum.y
         };
-        let low = heights.iter().filter(|height| is_high(**height) == 0).count();
+        let low = heights.iter().filter(|height| is_low(**height)).count();
         let slant = (0..low).map(|i| (mean(i, i, 1) / mean(i, i, 0)).ln()).sum::<f64>() / low as f64;
         let change = |i: usize| {
             let same_water = mean(i, i, 0) / mean(i - 1, i, 1);
@@ -130,8 +130,7 @@ impl Sweep {
 
 const DOWN: Sweep = Sweep { name: "down", zenith_deg: 0.0, size: [96; 2], low: [0.9; 2], highest_m: 4e7 };
 /// From higher up, a place 60° off is close to the limb. Low down a band across: all of it is seen at about the same slant.
-const OBLIQUE: Sweep =
-    Sweep { name: "oblique", zenith_deg: 60.0, size: [192, 48], low: [2.4, 0.3], high: [0.25; 2], highest_m: 3e6 };
+const OBLIQUE: Sweep = Sweep { name: "oblique", zenith_deg: 60.0, size: [192, 48], low: [2.4, 0.3], highest_m: 3e6 };
 
 #[test]
 fn a_fresh_breeze_seen_from_above_has_one_luminance() {
