@@ -71,8 +71,8 @@ fn a_flight_can_be_taken_up_again_and_ends_at_its_views() {
     let times: Vec<_> = [0, 3, 4].map(|index| modified(&frame(index))).into();
     assert!(printed(&flight).contains("2 frames drawn, 3 were there"));
     assert_eq!(times, [0, 3, 4].map(|index| modified(&frame(index))));
-    for index in 0..5 {
-        assert!(read(index) == first[index], "frame {index} changed");
+    for (index, first) in first.iter().enumerate() {
+        assert!(read(index) == *first, "frame {index} changed");
     }
     assert!(!frame(1).with_added_extension("part").exists());
 

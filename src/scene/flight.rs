@@ -46,8 +46,8 @@ impl Flight {
 
     /// The part of the way in height that is behind the eye after so many seconds, 0…1: at rest at both ends.
     pub fn eased(&self, seconds: f64) -> f64 {
-        // `max` and `min` drop a NaN.
-        let u = (seconds / self.duration_s).max(0.0).min(1.0);
+        let u = seconds / self.duration_s;
+        let u = if u.is_nan() { 0.0 } else { u.clamp(0.0, 1.0) };
         // Smootherstep.
         u * u * u * (u * (u * 6.0 - 15.0) + 10.0)
     }
