@@ -85,25 +85,25 @@ fn along_wind(up: vec3f) -> vec3f {
     return normalize(wind + 1e-6 * vec3f(1.0, 0.0, 0.0));
 }
 
-// A pixel that the ellipsoid's limb or horizon runs through: the share that the ellipsoid fills, from the ray's distance to it.
-struct Limb { coverage: f32, nearest: f32 }
+// A pixel and the ellipsoid's limb or horizon: the share that the ellipsoid fills, how far off the limb is, and the step on the screen to
+// the pixel on the sky's side.
+struct Limb { share: f32, distance: Metres, beyond: vec2f }
 
 fn limb_of(ray: Ray, direction: vec3f) -> Limb {
-    let t = max(-ray.b / ray.a, 0.0);
-    // Pixels off the picture's centre are seen under a smaller angle.
-    let pixel = t * frame.pixel_angle * dot(direction, frame.ray_forward);
-    return Limb(clamp(0.5 - height_along(ray, t) / max(pixel, 1e-6), 0.0, 1.0), t);
-}
-
-// The pixel beside one on the limb, on the sky's side; `p` is on the limb and `up` its vertical.
-fn pixel_beyond(pixel: vec2u, p: vec3f, up: vec3f) -> vec2u {
-    let right = normalize(frame.ray_right);
-    let top = normalize(frame.ray_up);
-    let ahead = dot(p, frame.ray_forward);
-    let receding = dot(up, frame.ray_forward);
-    let out = vec2f(dot(up, right) * ahead - dot(p, right) * receding, dot(p, top) * receding - dot(up, top) * ahead);
-    let step = round(out / max(length(out), 1e-9));
-    return vec2u(clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0));
+    let t = sqrt(max(ray.c, 0.0) / ray.a);
+    let p = direction * t;
+    let height = height_along(ray, t);
+    // Pixels are seen under at most this angle.
+    if abs(height) > 2.0 * t * frame.pixel_angle { return Limb(select(0.0, 1.0, height < 0.0), t, vec2f(0.0)); }
+    // What a metre along the vertical is on the screen: the derivative of (right, up) / ahead.
+    let vertical = normal_delta(p) + vec3f(0.0, 0.0, 1.0);
+    let axes = mat3x3f(normalize(frame.ray_right), normalize(frame.ray_up), frame.ray_forward);
+    let at = p * axes;
+    let out = vertical * axes;
+    let moved = out.xy / at.z - at.xy * (out.z / (at.z * at.z));
+    let size = length(moved);
+    let share = clamp(0.5 - height * size / frame.pixel_angle, 0.0, 1.0);
+    return Limb(share, t, round(moved / max(size, 1e-20)) * vec2f(1.0, -1.0));
 }
 
 @fragment
@@ -113,7 +113,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
     var rest = in.rest;
     var moved = in.moved;
-    var limb = Limb(1.0, 0.0);
+    var limb = Limb(1.0, 0.0, vec2f(0.0));
     var misses = false;
     if waves_are_pixels(distance) {
         let ray = eye_ray(direction);
@@ -122,11 +122,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         misses = distance < 0.0;
         if misses {
             // A measured layer says what lies under the middle of a pixel; a picture, what fills it.
-            if limb.coverage <= 0.0 || frame.output != PICTURE {
+            if limb.share <= 0.0 || frame.output != PICTURE {
                 discard;
                 return vec4f(0.0);
             }
-            distance = limb.nearest;
+            distance = limb.distance;
         }
         rest = direction * distance;
         moved = rest;
@@ -172,11 +172,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         behind / max(frame.exposure, 1e-9), foam));
     let air = scatter_to_surface(direction, distance);
     var radiance = water * air.transmittance + air.radiance;
-    if limb.coverage < 1.0 {
+    if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
-        var beyond = pixel;
-        if !misses { beyond = pixel_beyond(pixel, direction * limb.nearest, up); }
-        radiance = mix(textureLoad(scene_colour, beyond, 0).rgb / max(frame.exposure, 1e-9), radiance, limb.coverage);
+        let step = select(limb.beyond, vec2f(0.0), misses);
+        let beyond = clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0);
+        radiance = mix(textureLoad(scene_colour, vec2u(beyond), 0).rgb / max(frame.exposure, 1e-9), radiance, limb.share);
     }
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
 }

@@ -2,6 +2,11 @@
 // raised above the highest.
 #import ellipsoid
 
+// Share of the grid below the lower edge.
+fn low_rim() -> f32 { return select(0.02, 0.35, frame.rim_reach > 0.0); }
+
+const CELL_PIXELS = 4.2;       // height of the grid's cells where no rim takes some of them, at most
+
 // The ellipsoid's point under a device coordinate, cast from the projector.
 fn projected(device: vec2f) -> vec3f {
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
@@ -22,7 +27,11 @@ fn projected(device: vec2f) -> vec3f {
     // Near, the point of the horizon below the ray, so that no triangle spans the sea.
     let tangent = sqrt(max(ray.c, 0.0) / ray.a);
     let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
-    return tangent * vec3f(direction.xy / max(length(direction.xy), 1e-6), -dip) + rise;
+    let level = max(length(direction.xy), 1e-6);
+    // Where the horizon's waves are smaller than pixels a strip stands on it, a few cells high: those fragments know their share of it.
+    let cell = CELL_PIXELS * frame.pixel_angle / (1.0 - low_rim());
+    let strip = select(0.0, clamp(direction.z / level + dip - cell, 0.0, cell), waves_are_pixels(tangent) && frame.under_water == 0u);
+    return tangent * vec3f(direction.xy / level, strip - dip) + rise;
 }
 
 const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
@@ -33,11 +42,10 @@ const NEAREST: Metres = 0.7;
 // the grid's rims run on from the screen's edges: up and sideways, and below the eye to behind it, denser towards the eye.
 fn rest_position(grid: vec2f) -> vec3f {
     let reach = frame.rim_reach;
-    let low_rim = select(0.02, 0.35, reach > 0.0);
     let y = 0.5 * (grid.y + 1.0);
-    let below = clamp(1.0 - y / low_rim, 0.0, 1.0);
+    let below = clamp(1.0 - y / low_rim(), 0.0, 1.0);
     let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
-    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim, 0.0) / (1.0 - low_rim)));
+    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim(), 0.0) / (1.0 - low_rim())));
     let rest = projected(device);
     if reach == 0.0 { return rest; }
     let right = normalize(frame.ray_right.xy);
