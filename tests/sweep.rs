@@ -147,7 +147,8 @@ fn sweep(mesh: &str) {
         if let Some(last) = &last {
             let mut change: Vec<_> = lumas.iter().zip(last).map(|(now, was)| (now - was).abs()).collect();
             change.sort_by(f64::total_cmp);
-            changes.push(change[(0.999 * change.len() as f64) as usize]);
+            let mean = change.iter().sum::<f64>() / change.len() as f64;
+            changes.push([change[(0.999 * change.len() as f64) as usize], mean]);
         }
         last = Some(lumas);
         if index % SEARCHED == 0 {
@@ -164,25 +165,27 @@ fn sweep(mesh: &str) {
             }
         }
     }
-    let mut worst = (0.0, 0);
-    for index in 0..changes.len() {
+    println!("{mesh}: {searched} pixels of open ocean searched");
+    assert!(searched > 50_000, "{mesh}: only {searched} pixels of open ocean");
+    // The 99.9th percentile sees what pops in a corner, the mean what pops everywhere by little.
+    for (which, name) in ["99.9th percentile", "mean"].into_iter().enumerate() {
+        let series: Vec<_> = changes.iter().map(|change| change[which]).collect();
+        let (ratio, frame) = most_sudden(&series);
+        println!("{mesh}: the {name} of the change is at most {ratio:.2} times its neighbours', at frame {frame}");
+        assert!(ratio <= 1.5, "{mesh}: frame {frame} pops: {name} {ratio:.2}");
+    }
+}
+
+/// The greatest ratio of a value to the median of its ten neighbours on either side, and the number of the frame.
+fn most_sudden(changes: &[f64]) -> (f64, usize) {
+    let ratio = |index: usize| {
         let around = index.saturating_sub(10)..(index + 11).min(changes.len());
         let mut neighbours: Vec<_> = around.filter(|at| *at != index).map(|at| changes[at]).collect();
         neighbours.sort_by(f64::total_cmp);
         let n = neighbours.len();
-        let median = 0.5 * (neighbours[(n - 1) / 2] + neighbours[n / 2]);
-        let ratio = changes[index] / median;
-        if ratio > worst.0 {
-            worst = (ratio, index + 1);
-        }
-    }
-    println!(
-        "{mesh}: {searched} pixels of open ocean searched, the most sudden change is {:.2} at frame {}",
-        worst.0, worst.1
-    );
-    assert!(searched > 50_000, "{mesh}: only {searched} pixels of open ocean");
-    // The bound that the descent has been given: half again as much change as in the frames around.
-    assert!(worst.0 <= 1.5, "{mesh}: frame {} changes {:.2} times as much as those around it", worst.1, worst.0);
+        (changes[index] / (0.5 * (neighbours[(n - 1) / 2] + neighbours[n / 2])), index + 1)
+    };
+    (0..changes.len()).map(ratio).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
 }
 
 #[test]
@@ -192,5 +195,5 @@ fn the_grid_descends_from_orbit_to_the_deck_without_pop_or_crack() {
 
 #[test]
 fn the_bisected_mesh_descends_from_orbit_to_the_deck_without_pop_or_crack() {
-    sweep("bisect,8,20000");
+    sweep("bisect,12,6000");
 }
