@@ -166,7 +166,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
-    let foam_footprint = across / pow(grazing, 0.8);
+    let foam_footprint = across / pow(grazing, 0.9);
     let foam = calmed * foam_lace(foam_share(foam_at, in.height, foam_footprint), foam_at, foam_footprint);
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));

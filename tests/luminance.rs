@@ -17,7 +17,11 @@ const FEW_WAVES_M: f64 = 4_000.0;
 /// Up to here one place has a handful of whitecaps or less. The squares of the foam map have whitecaps of their own, so that those of
 /// one place come and go by up to 5 % a height while one square takes over from another: over four places by 2.5 %.
 const FEW_WHITECAPS_M: f64 = 300.0;
-const PLACES: usize = 4;
+/// And up to here a few cells of their lace, which is another from one factor of two in height to the next.
+const FEW_FLECKS_M: f64 = 15.0;
+/// Places below these heights.
+const PLACES: usize = 10;
+const SOME_PLACES: usize = 4;
 /// From 30,000 km still without the limb and any land.
 const HIGH: [f64; 2] = [0.25; 2];
 
@@ -87,7 +91,11 @@ impl Sweep {
         let shrunk = |radii: [f64; 2]| radii.map(|radius| radius / ratio);
         let radii = [shrunk(self.low), self.low, shrunk(HIGH), HIGH];
         let heights: Vec<_> = (0..HEIGHTS).map(height_m).filter(|height| *height <= self.highest_m).collect();
-        let places = |height: f64| if height < FEW_WHITECAPS_M { PLACES } else { 1 };
+        let places = |height: f64| match height {
+            _ if height < FEW_FLECKS_M => PLACES,
+            _ if height < FEW_WHITECAPS_M => SOME_PLACES,
+            _ => 1,
+        };
         let mut sums = vec![[[DVec2::ZERO; 4]; PLACES]; heights.len()];
         for place in 0..PLACES {
             // Within 6 km of each other, evenly, in the open Gulf of Guinea.

@@ -50,7 +50,7 @@ fn every_place_at_every_height_is_whole_and_the_same_by_both_meshes() {
     for (column, place) in places.iter().enumerate() {
         for (row, height) in heights.iter().enumerate() {
             let what = format!("{} from {} m", place["name"], height["altitude_m"]);
-            let seen = ["grid", "bisect,6,20000"].map(|mesh| {
+            let seen = ["grid", "bisect,8,10000"].map(|mesh| {
                 let state = state(sea, place, height, mesh);
                 let picture = render::picture(&mut renderer, &state, SIZE).unwrap();
                 let sheet = &mut sheets[usize::from(mesh != "grid")];
@@ -69,8 +69,11 @@ fn every_place_at_every_height_is_whole_and_the_same_by_both_meshes() {
             if count < ocean_wanted {
                 faults.push(format!("{what}: {count} pixels of ocean"));
             }
-            // A crest on the horizon may differ by a pixel in every column; a change of luminance below 3 % goes unseen.
-            if count.abs_diff(count_bisected) > w || (count > 0 && (mean_bisected / mean - 1.0).abs() > 0.03) {
+            // A crest on the horizon may differ by a pixel in every column. At the deck the meshes hide the backs of waves as finely
+            // as they are themselves: triangles of 2 pixels show 4 % less of the bright ones than those of 6, and those 4 % less than
+            // the grid. From higher up the fragments' slopes are all that is seen.
+            let bound = if height["altitude_m"].as_f64() < Some(100.0) { 0.05 } else { 0.01 };
+            if count.abs_diff(count_bisected) > w || (count > 0 && (mean_bisected / mean - 1.0).abs() > bound) {
                 faults.push(format!("{what}: {count} pixels of {mean:.5}, {count_bisected} of {mean_bisected:.5}"));
             }
         }

@@ -6,7 +6,7 @@
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
-const LACE_RAMP: f32 = 0.3;
+const LACE_RAMP: f32 = 0.4;
 const FOAM_HIGHEST: Metres = 4000.0;    // eyes above this see no map
 
 // Rest coordinates about the eye in the foam map's plane, metres.
@@ -105,7 +105,7 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     let wind = nodes[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, 0.5 * (wind.y * at.x - wind.x * at.y));
     let texels = frame.lace_fraction + along / side;
-    let scale = clamp(log2(8.0 * footprint / side), -3.0, 6.0);
+    let scale = clamp(log2(5.0 * footprint / side), -3.0, 6.0);
     let octave = i32(floor(scale));
     let fine = foam_noise(texels, octave - 1);
     let middle = foam_noise(texels, octave);
