@@ -8,6 +8,8 @@ use std::collections::HashSet;
 pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("bisected_mesh", include_str!("../../shaders/lib/bisected_mesh.wgsl")),
+    ("bisection_tree", include_str!("../../shaders/lib/bisection_tree.wgsl")),
+    ("bisector_pieces", include_str!("../../shaders/lib/bisector_pieces.wgsl")),
     ("bisectors", include_str!("../../shaders/lib/bisectors.wgsl")),
     ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
     ("cuboid", include_str!("../../shaders/lib/cuboid.wgsl")),
