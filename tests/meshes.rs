@@ -18,10 +18,9 @@ fn the_bisected_mesh_covers_what_the_grid_covers_without_a_hole() {
         "view=16,-25,30000000",
     ] {
         let mut layer = |mesh: &str, layer| {
-            let state = parse_state(&format!(
-                "#{view}&time=2026-11-20T14:00:00Z&foam=0&quality=low&layers=-land,-sky&mesh={mesh}"
-            ))
-            .unwrap();
+            let state =
+                parse_state(&format!("#{view}&time=2026-11-20T14:00:00Z&foam=0&quality=low&layers=-land&mesh={mesh}"))
+                    .unwrap();
             measure(&mut renderer, &state, SIZE, layer).unwrap().values
         };
         let [grid, bisected] = ["grid", "bisect"].map(|mesh| layer(mesh, LayerName::Class));
