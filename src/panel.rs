@@ -12,10 +12,10 @@ use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
 
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
-use crate::scene::number::decimal;
+use crate::scene::link::number::decimal;
 use crate::scene::settings::{Mesh, Settings};
-use crate::scene::view_state::ViewState;
-use crate::scene::views::{VIEWS, View};
+use crate::scene::view::named::{VIEWS, View};
+use crate::scene::view::state::ViewState;
 
 /// Width of the panel, points.
 const WIDTH: f32 = 212.0;

@@ -19,9 +19,9 @@ use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::model::waves;
 use crate::renderer::Renderer;
-use crate::scene::surface_sample::sample_link;
-use crate::scene::view_state::ViewState;
-use crate::scene::views;
+use crate::scene::sea::surface_sample::sample_link;
+use crate::scene::view::named;
+use crate::scene::view::state::ViewState;
 
 /// Starts the globe on a canvas, with the world's tiles below `data_base`.
 ///
@@ -56,7 +56,7 @@ async fn run(canvas: HtmlCanvasElement, data_base: &str) -> Result<()> {
     let panel = !search.trim_start_matches('?').split('&').any(|pair| pair == "panel=off");
     let (mut state, errors) = ViewState::parse_fragment(&page.fragment(), None);
     if page.fragment().trim_start_matches('#').is_empty() {
-        state = views::opening(unix_now_s());
+        state = named::opening(unix_now_s());
     }
     errors.iter().for_each(|error| log::warn!("link: {error}"));
     let options = eframe::WebOptions {

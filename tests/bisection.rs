@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use ocean_globe::model::cuboid::{self, Point, Triangle};
-use ocean_globe::scene::bisection::Bisection;
-use ocean_globe::scene::camera::Camera;
+use ocean_globe::scene::frame::bisection::Bisection;
+use ocean_globe::scene::view::camera::Camera;
 
 mod pool;
 use pool::{Pool, check, edges, frame, middle, settings, triangles};

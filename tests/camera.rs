@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 use ocean_globe::model::earth::{Geodetic, WGS84};
-use ocean_globe::scene::camera::{Camera, HIGHEST_M, LOWEST_M, wrap_positive, wrap_signed};
-use ocean_globe::scene::flight::Flight;
-use ocean_globe::scene::inertia::{Keys, Navigator};
-use ocean_globe::scene::navigate;
-use ocean_globe::scene::views::VIEWS;
+use ocean_globe::scene::view::camera::{Camera, HIGHEST_M, LOWEST_M, wrap_positive, wrap_signed};
+use ocean_globe::scene::view::flight::Flight;
+use ocean_globe::scene::view::inertia::{Keys, Navigator};
+use ocean_globe::scene::view::named::VIEWS;
+use ocean_globe::scene::view::navigate;
 
 const SIZE: DVec2 = DVec2::new(1280.0, 720.0);
 

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::model::perlin::{self, OCTAVES, PEAK_CELLS, TEXELS};
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::{noise, optics};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::perlin::Perlin;
 use ocean_globe::scene::frame::{Frame, MIX_FAR_M, MIX_NEAR_M};
-use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Settings, Spectrum, Wind};
 
 mod water;

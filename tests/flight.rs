@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 use std::time::SystemTime;
 
 use ocean_globe::model::earth;
-use ocean_globe::scene::views::VIEWS;
+use ocean_globe::scene::view::named::VIEWS;
 
 /// With foam, which has a history, and a clock that stands still, so that the last frame shows the second view as it is.
 const SEA: &str = "bft=8&quality=low&time=2026-11-20T12:00:00Z&rate=0";
@@ -129,7 +129,7 @@ fn what_cannot_be_a_flight_is_refused() {
 
 #[test]
 fn every_flight_between_named_views_rises_and_falls_once() {
-    use ocean_globe::scene::flight::Flight;
+    use ocean_globe::scene::view::flight::Flight;
     let mut arcs = 0;
     for from in &VIEWS {
         for to in VIEWS.iter().filter(|to| *to != from) {

@@ -75,7 +75,7 @@ fn every_file_uses_lower_floors_only() {
 
 #[test]
 fn the_check_sees_what_it_should() {
-    assert_eq!(complaints("model/earth.rs", "use crate::scene::camera::Camera;").len(), 1);
+    assert_eq!(complaints("model/earth.rs", "use crate::scene::view::camera::Camera;").len(), 1);
     assert_eq!(complaints("scene/frame.rs", "fn f(d: &wgpu::Device) {}").len(), 1);
     assert_eq!(complaints("pass/sky.rs", "use crate::pass::land::Land;").len(), 1);
     assert_eq!(complaints("renderer.rs", "use egui::Ui;").len(), 1);

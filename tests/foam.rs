@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use ocean_globe::model::foam::{self, Fold, GROWTH_S, LIFETIME_S};
 use ocean_globe::model::sea_state::whitecap_fraction;
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::waves;
-use ocean_globe::scene::foam::{LEVELS, Whitecaps};
-use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::sea::foam::{LEVELS, Whitecaps};
 use ocean_globe::scene::settings::{self, FoamRule};
 
 #[test]

@@ -2,9 +2,9 @@
 
 use ocean_globe::model::foam::Fold;
 use ocean_globe::model::sea_state::whitecap_fraction;
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::waves;
-use ocean_globe::scene::foam::{LEVELS, TEXELS_M, Whitecaps};
-use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::sea::foam::{LEVELS, TEXELS_M, Whitecaps};
 use ocean_globe::scene::settings::{self, Settings};
 
 mod foam_map;

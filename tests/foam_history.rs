@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use ocean_globe::model::waves;
-use ocean_globe::scene::foam::{FoamEye, LEVELS, TEXELS};
+use ocean_globe::scene::sea::foam::{FoamEye, LEVELS, TEXELS};
 
 mod foam_map;
 use foam_map::{Map, NOON, Sea, blown, mean, ticks};

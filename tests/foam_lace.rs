@@ -3,9 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::model::noise;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::view::camera::Camera;
 
 mod kernel;
 use kernel::Kernel;

@@ -2,11 +2,11 @@
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::context::device_descriptor;
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::surface::{self, Fields};
 use ocean_globe::model::waves::{self, Cascade, Sea};
 use ocean_globe::model::{dispersion, noise};
 use ocean_globe::pass::fft::{self, Fft, Precision, WaveData};
-use ocean_globe::scene::sea::SeaTables;
 
 /// Worst error over the field's RMS, for 32-bit targets: h0 rounds by 6e-8, each of log2 N butterflies by about as much, and
 /// the polynomials of the phase by 1e-7; 1e-5 is ten times their worst sum over the largest value, some 5 RMS.

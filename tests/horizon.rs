@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec2;
 use ocean_globe::cli::render::{LayerName, headless, measure, parse_state};
 use ocean_globe::renderer::Radiance;
-use ocean_globe::scene::camera::Camera;
+use ocean_globe::scene::view::camera::Camera;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [160, 90];

@@ -4,9 +4,9 @@ use glam::DVec2;
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::model::earth::{Geodetic, WGS84};
 use ocean_globe::renderer::{Radiance, Renderer};
-use ocean_globe::scene::camera::{Basis, Camera};
-use ocean_globe::scene::surface_sample::sample_surface;
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::sea::surface_sample::sample_surface;
+use ocean_globe::scene::view::camera::{Basis, Camera};
+use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const HEIGHTS: usize = 200;

@@ -7,7 +7,7 @@ use ocean_globe::data::world::World;
 use ocean_globe::model::optics;
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
-use ocean_globe::scene::views;
+use ocean_globe::scene::view::named;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 

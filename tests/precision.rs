@@ -8,9 +8,9 @@ use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::shader;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::renderer::Radiance;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::view::camera::Camera;
 
 mod kernel;
 use kernel::Kernel;

@@ -1,9 +1,9 @@
 //! The sea that is drawn is the model's, everywhere on earth; an eye that rides it stands as high above it as its link says.
 
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::renderer::Radiance;
-use ocean_globe::scene::ride::surface_height;
-use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::sea::ride::surface_height;
 
 #[test]
 fn the_eye_rides_the_surface_that_is_drawn() {

@@ -4,9 +4,9 @@
 
 use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::world::World;
-use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::scene::sea::surface_sample::{allowed_by_depth, sample_link, sample_surface};
 use ocean_globe::scene::settings::Settings;
-use ocean_globe::scene::surface_sample::{allowed_by_depth, sample_link, sample_surface};
 use serde_json::Value;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");

@@ -6,7 +6,8 @@ use ocean_globe::model::{
     sea_state,
     spectrum::{DirectionalSpectrum, FrequencySpectrum, Jonswap, Tma},
 };
-use ocean_globe::scene::{sea::sea_of, settings};
+use ocean_globe::scene::sea::tables::sea_of;
+use ocean_globe::scene::settings;
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 

@@ -5,10 +5,12 @@ use std::path::Path;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::gpu::{mips, shader};
+use ocean_globe::model::wave_domain;
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::{bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
-use ocean_globe::scene::bisection::Bisection;
-use ocean_globe::scene::{foam as scene_foam, foam_history, frame, wave_domain, wave_nodes};
+use ocean_globe::scene::frame::bisection::Bisection;
+use ocean_globe::scene::frame::uniform;
+use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
@@ -69,103 +71,37 @@ fn every_shader_is_valid_within_the_default_limits() {
     assert_eq!(libraries, files("shaders/lib"), "a library is not registered");
 }
 
+/// Names and offsets of a WGSL struct's members, and its size, bytes.
+fn layout(source: &str, name: &str) -> (Vec<(String, usize)>, usize) {
+    let module = parsed(name, source);
+    let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).expect(name);
+    let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{name} is no struct") };
+    (members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect(), *span as usize)
+}
+
 /// Compares a Rust struct with a WGSL one: the same members, in order, at the same offsets, and the same size.
 macro_rules! assert_mirror {
     ($source:expr, $wgsl:literal, $rust:ty, [$($field:ident),* $(,)?]) => {{
-        let module = parsed($wgsl, &$source);
-        let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some($wgsl)).expect($wgsl);
-        let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{} is no struct", $wgsl) };
-        let wgsl: Vec<_> = members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect();
+        let (wgsl, span) = layout(&$source, $wgsl);
         let rust = vec![$((stringify!($field).to_string(), std::mem::offset_of!($rust, $field))),*];
         assert_eq!(wgsl, rust, "{}", $wgsl);
-        assert_eq!(*span as usize, size_of::<$rust>(), "size of {}", $wgsl);
+        assert_eq!(span, size_of::<$rust>(), "size of {}", $wgsl);
     }};
 }
 
 #[test]
 fn structs_have_the_same_members_at_the_same_places() {
-    assert_mirror!(
-        ocean::source(),
-        "Frame",
-        frame::FrameUniform,
-        [
-            clip_from_local,
-            ray_right,
-            eye_altitude,
-            ray_up,
-            semi_major,
-            ray_forward,
-            semi_minor,
-            quadric_diagonal,
-            quadric_constant,
-            quadric_mixed,
-            projector_rise,
-            quadric_gradient,
-            projector_constant,
-            projector_gradient,
-            rim_reach,
-            sin_lat,
-            cos_lat,
-            foot_nu,
-            mercator_sin,
-            north_point,
-            south_point,
-            north_delta,
-            mercator_sin_delta,
-            south_delta,
-            whitecaps,
-            mercator_fixed,
-            north_fixed,
-            south_fixed,
-            meridian,
-            sun,
-            exposure,
-            viewport,
-            pixel_angle,
-            water_density,
-            wind,
-            wave_height,
-            chop,
-            mix_near,
-            mix_far,
-            foam_rule,
-            perlin_patch,
-            patches,
-            spacings,
-            lace_texel,
-            lace_fraction,
-            perlin_spacing,
-            cell_pixels,
-            unused_b,
-            unused_c,
-            node_count,
-            layers,
-            output,
-            cascade_count,
-            terrain_resolution,
-            crest_height,
-            foam_heights,
-            below_slopes,
-            under_water,
-            chop_level,
-            cascade_slopes,
-            perlin_slopes,
-            foam_levels,
-        ]
-    );
-    assert_mirror!(
-        ocean::source(),
-        "WaveNode",
-        wave_nodes::WaveNode,
-        [origin, cos_lat, axis_x, turn, axis_y, key, wind, polar_north, anchors]
-    );
-    assert_mirror!(ocean::source(), "WaveAnchor", wave_nodes::WaveAnchor, [vertex, eye]);
-    assert_mirror!(
-        ocean::source(),
-        "FoamLevel",
-        frame::FoamLevel,
-        [texel, fraction, side, threshold, softness, unused]
-    );
+    for (name, members, size) in [
+        ("Frame", uniform::FrameUniform::MEMBERS, size_of::<uniform::FrameUniform>()),
+        ("WaveNode", uniform::WaveNode::MEMBERS, size_of::<uniform::WaveNode>()),
+        ("WaveAnchor", uniform::WaveAnchor::MEMBERS, size_of::<uniform::WaveAnchor>()),
+        ("FoamLevel", uniform::FoamLevel::MEMBERS, size_of::<uniform::FoamLevel>()),
+    ] {
+        let (found, span) = layout(&ocean::source(), name);
+        let declared: Vec<_> = members.iter().map(|&(member, offset)| (member.to_string(), offset)).collect();
+        assert_eq!(found, declared, "{name}");
+        assert_eq!(span, size, "size of {name}");
+    }
     assert_mirror!(
         foam::source(),
         "FoamStep",
@@ -266,20 +202,20 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "FOAM_TEXELS"), f64::from(scene_foam::TEXELS));
     let shortest = ocean_globe::model::foam::SHORTEST_TILE_TEXELS;
     assert_eq!(constant(&foam::source(), "SHORTEST_TILE_TEXELS"), shortest);
-    assert_eq!(constant(&ocean, "NEAR"), f64::from(frame::NEAR_M as f32));
+    assert_eq!(constant(&ocean, "NEAR"), f64::from(uniform::NEAR_M as f32));
     let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
     assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));
     let sine = ocean_globe::data::tile::POLAR_LATITUDE_DEG.to_radians().sin();
     assert_eq!(constant(&ocean, "POLAR_SIN_LAT"), f64::from(sine as f32));
     for (name, output) in [
-        ("PICTURE", frame::Output::Picture),
-        ("LONLAT", frame::Output::LonLat),
-        ("DEPTH", frame::Output::Depth),
-        ("MASK", frame::Output::Mask),
-        ("HEIGHT", frame::Output::Height),
-        ("NORMAL", frame::Output::Normal),
-        ("CLASS", frame::Output::Class),
-        ("PERLIN_WEIGHT", frame::Output::PerlinWeight),
+        ("PICTURE", uniform::Output::Picture),
+        ("LONLAT", uniform::Output::LonLat),
+        ("DEPTH", uniform::Output::Depth),
+        ("MASK", uniform::Output::Mask),
+        ("HEIGHT", uniform::Output::Height),
+        ("NORMAL", uniform::Output::Normal),
+        ("CLASS", uniform::Output::Class),
+        ("PERLIN_WEIGHT", uniform::Output::PerlinWeight),
     ] {
         assert_eq!(constant(&ocean, name), f64::from(output as u32), "{name}");
     }

@@ -3,7 +3,7 @@
 
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::view::state::ViewState;
 use serde_json::Value;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");

@@ -1,9 +1,9 @@
 //! What a texture's mip levels, or a pixel's footprint, take from the slopes becomes roughness: nothing is lost in between.
 
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::waves;
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
-use ocean_globe::scene::sea::SeaTables;
 
 mod water;
 use water::{Ensemble, NOON, Water, Waves, chopless, frame, mean, places, reseeded};

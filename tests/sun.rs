@@ -76,10 +76,10 @@ fn the_sun_is_where_its_subsolar_point_is() {
 
 #[test]
 fn a_page_without_a_link_opens_on_the_day_side() {
-    use ocean_globe::scene::views;
+    use ocean_globe::scene::view::named;
     for step in 0..200 {
         let unix_seconds = 1.7e9 + 1.1e6 * f64::from(step);
-        let eye = views::opening(unix_seconds).camera;
+        let eye = named::opening(unix_seconds).camera;
         let up = ocean_globe::model::earth::normal(eye.lat, eye.lon);
         // 20 degrees north of the equator, half a radian from noon, the sun at most 23.44 degrees south: 51.8 degrees at most.
         assert!(up.dot(ocean_globe::model::sun::sun_direction_ecef(unix_seconds)) > 0.6);

@@ -6,11 +6,11 @@ use ocean_globe::gpu::shader;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::pass::fft::{Precision, WaveData};
 use ocean_globe::renderer::Radiance;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::ride::surface_height;
+use ocean_globe::scene::sea::ride::surface_height;
+use ocean_globe::scene::sea::surface_sample::{SurfaceSample, sample_surface};
 use ocean_globe::scene::settings::Settings;
-use ocean_globe::scene::surface_sample::{SurfaceSample, sample_surface};
+use ocean_globe::scene::view::camera::Camera;
 
 mod water;
 use water::{NOON, Water};
@@ -169,7 +169,7 @@ fn the_ride_is_the_sample_but_for_the_smallest_waves() {
             let sample = sample_surface(&settings, lat, lon, NOON, f64::INFINITY);
             worst = worst.max((ridden - sample.height_m).abs());
         }
-        let hs = ocean_globe::scene::sea::SeaTables::of(&settings).sea.hs_m;
+        let hs = ocean_globe::model::sea_tables::SeaTables::of(&settings).sea.hs_m;
         println!("grade {grade}: within {worst:.4} m of Hs {hs}");
         assert!(worst < 0.02 * hs, "grade {grade}: {worst} m");
     }

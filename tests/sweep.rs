@@ -6,11 +6,11 @@ use ocean_globe::data::world::World;
 use ocean_globe::gpu::texture::{self, Shape};
 use ocean_globe::model::earth::WGS84;
 use ocean_globe::renderer::{Radiance, Renderer, TARGET_FORMAT};
-use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::flight::Flight;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::layers::Layer;
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::scene::view::flight::Flight;
+use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SEA: &str = "bft=8&quality=low&time=2026-11-20T12:00:00Z&rate=0";

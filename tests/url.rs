@@ -1,12 +1,12 @@
 //! The link form of the whole view: the table of keys, round trips, and what hostile links may not do.
 
-use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::fragment::LONGEST;
 use ocean_globe::scene::layers::{Layer, Layers};
+use ocean_globe::scene::link::fragment::LONGEST;
 use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Triangles, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
-use ocean_globe::scene::view_state::ViewState;
-use ocean_globe::scene::views::VIEWS;
+use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::scene::view::named::VIEWS;
+use ocean_globe::scene::view::state::ViewState;
 
 /// Reads a fragment that has no bad pair.
 fn good(text: &str) -> ViewState {

@@ -1,11 +1,11 @@
 //! Links of any state and of any enemy: what is written reads back, and what is read is valid.
 
-use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::fragment::LONGEST;
 use ocean_globe::scene::layers::{Layer, Layers};
+use ocean_globe::scene::link::fragment::LONGEST;
 use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::scene::view::state::ViewState;
 use proptest::prelude::*;
 
 /// Whether every number of a state is finite and in the table's range.

@@ -7,11 +7,11 @@ use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::model::noise;
-use ocean_globe::scene::camera::Camera;
+use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_NODES, TILES};
 use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::frame::uniform::WaveNode;
 use ocean_globe::scene::settings::Settings;
-use ocean_globe::scene::wave_domain::{self, LEAST_SHARE, MAX_NODES, TILES};
-use ocean_globe::scene::wave_nodes::WaveNode;
+use ocean_globe::scene::view::camera::Camera;
 
 mod exact;
 use exact::{Exact, PI};

@@ -3,18 +3,18 @@
 use std::f64::consts::TAU;
 
 use glam::{DMat2, DVec2, DVec3};
+use ocean_globe::model::drawn_tiles::DrawnTiles;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
+use ocean_globe::model::moved_water::{Motion, Place};
 use ocean_globe::model::sea_bed::smoothstep;
+use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
+use ocean_globe::model::wave_domain::{self, PERLIN_TILE, Plane, TILES};
 use ocean_globe::model::{noise, perlin, waves};
 use ocean_globe::pass::fft::Precision;
-use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::drawn_tiles::DrawnTiles;
 use ocean_globe::scene::frame::{Frame, MIX_FAR_M};
-use ocean_globe::scene::moved_water::{Motion, Place};
-use ocean_globe::scene::sea::SeaTables;
 use ocean_globe::scene::settings::{Quality, Settings};
-use ocean_globe::scene::wave_domain::{self, PERLIN_TILE, Plane, TILES};
+use ocean_globe::scene::view::camera::Camera;
 
 mod water;
 use water::{Ensemble, Water, Waves, place, reseeded};
@@ -42,7 +42,7 @@ fn spread(count: usize) -> impl Iterator<Item = (f64, f64)> {
 fn waves_are_as_long_and_go_where_they_should_up_to_100_km_from_the_poles() {
     let settings = blowing(12);
     let patches_m = patches_m(&SeaTables::of(&settings));
-    let from = settings.wind.from_deg.to_radians();
+    let from = settings.wind_from();
     let toward = DVec2::new(-from.sin(), -from.cos());
     // 100 km of a meridian's 10,002 km at the pole, 111,694 m a degree; from there out ever sparser, then everywhere.
     let nearest_deg = 100.0 / 111.694;
@@ -63,7 +63,7 @@ fn waves_are_as_long_and_go_where_they_should_up_to_100_km_from_the_poles() {
             // Sums over whatever serves, by energy.
             let (mut direction, mut stretch, mut energy) = (DVec2::ZERO, 0.0, 0.0);
             for &(cell, share) in &serving {
-                let plane = Plane::new(&settings, cell);
+                let plane = Plane::new(cell, settings.seed, from);
                 for here in plane.placements(tile, patch_m, plane.point(foot)) {
                     // The place in the tile a metre on, east and north, by the same vertex.
                     let step = |axis: DVec3| {
@@ -92,7 +92,7 @@ fn waves_are_as_long_and_go_where_they_should_up_to_100_km_from_the_poles() {
 
 /// Heights of each tile at a place at rest, metres.
 fn heights(settings: &Settings, tables: &SeaTables, tiles: &DrawnTiles, lat: f64, lon: f64) -> [f64; waves::CASCADES] {
-    let place = Place::new(settings, tables, lat, lon);
+    let place = Place::new(tables, settings.wind_from(), lat, lon);
     std::array::from_fn(|wanted| {
         let only = |tile: usize, at| if tile == wanted { tiles.motion(tile, at) } else { Motion::default() };
         place.motion(DVec2::ZERO, only).height
@@ -195,7 +195,7 @@ fn no_tile_shows_its_period() {
     let patches_m = patches_m(&tables);
     // Multiples of the tile's length along the wind, across it, and both.
     let lags = [1.0, 2.0, 3.0].map(|m| [[m, 0.0], [0.0, m], [m, m], [m, -m]]).concat();
-    let from = settings.wind.from_deg.to_radians();
+    let from = settings.wind_from();
     let axes = [DVec2::new(-from.sin(), -from.cos()), DVec2::new(from.cos(), -from.sin())];
     for (tile, patch_m) in patches_m.into_iter().enumerate() {
         let mut energies = all.energies.clone();

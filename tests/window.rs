@@ -13,7 +13,7 @@ use ocean_globe::data::world::World;
 use ocean_globe::gpu::Gpu;
 use ocean_globe::renderer::{Renderer, TARGET_FORMAT};
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::view::state::ViewState;
 
 /// What the program has told the page.
 #[derive(Default)]

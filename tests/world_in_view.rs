@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::data::tile::MapPoint;
 use ocean_globe::renderer::Radiance;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::{Frame, Output};
-use ocean_globe::scene::ride::surface_height;
+use ocean_globe::scene::sea::ride::surface_height;
 use ocean_globe::scene::settings::Settings;
-use ocean_globe::scene::tiles::visible_tiles;
-use ocean_globe::scene::view_state::ViewState;
+use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::scene::view::map_tiles::visible_tiles;
+use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 

@@ -11,7 +11,7 @@ use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::perlin::Perlin;
 use ocean_globe::renderer::{Radiance, TARGET_FORMAT};
 use ocean_globe::scene::frame::{Frame, Output};
-use ocean_globe::scene::views::VIEWS;
+use ocean_globe::scene::view::named::VIEWS;
 use serde_json::{Value, json};
 use wgpu::BufferUsages as B;
 

@@ -1,5 +1,5 @@
 // Where a point of the sea lies in the wave tiles: which cells serve it, which vertices of a tile's lattice in a cell's plane, and where
-// each of them lays the tile. A drawing and the reasons: src/scene/wave_domain.rs, which does the same in f64.
+// each of them lays the tile. A drawing and the reasons: src/model/wave_domain.rs, which does the same in f64.
 #import ellipsoid
 #import hash
 

@@ -2,7 +2,7 @@
 #import waves
 #import hash
 
-@group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per square; see src/scene/foam.rs
+@group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per square; see src/scene/sea/foam.rs
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;

@@ -1,4 +1,4 @@
-// What a pixel reports: the picture, or one measured layer (`ocean-globe render --layer`). Mirrors `Output` in src/scene/frame.rs.
+// What a pixel reports: the picture, or one measured layer (`ocean-globe render --layer`). Mirrors `Output` in src/scene/frame/uniform.rs.
 #import map
 
 const PICTURE = 0u;

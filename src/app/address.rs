@@ -5,7 +5,7 @@
 
 use super::page::Page;
 use crate::scene::time::SceneTime;
-use crate::scene::view_state::ViewState;
+use crate::scene::view::state::ViewState;
 
 /// Least time in seconds between two changes of the fragment.
 pub const PAUSE_S: f64 = 0.3;

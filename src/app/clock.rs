@@ -1,7 +1,7 @@
 //! The clock of the machine, and the time of the scene that it drives.
 
 use crate::scene::time::{FIRST_S, LAST_S, SceneTime};
-use crate::scene::view_state::ViewState;
+use crate::scene::view::state::ViewState;
 
 /// UTC seconds since 1970 by the machine's clock.
 #[cfg(not(target_arch = "wasm32"))]

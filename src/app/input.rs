@@ -12,9 +12,9 @@ use egui::{Key, PointerButton, Pos2, Rect};
 use glam::DVec2;
 
 use crate::data::fetch::now_s;
-use crate::scene::camera::{Camera, FIELD_OF_VIEW_Y};
-use crate::scene::inertia::{Keys, Navigator};
-use crate::scene::navigate;
+use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
+use crate::scene::view::inertia::{Keys, Navigator};
+use crate::scene::view::navigate;
 
 /// Points of wheel travel that change the height by a factor of e.
 const WHEEL_POINTS: f32 = 250.0;

@@ -8,9 +8,9 @@ use crate::data::water::WaterClass;
 use crate::data::world::World;
 use crate::model::earth::{Geodetic, WGS84};
 use crate::model::geodesic::surface_distance;
-use crate::scene::camera::Camera;
 use crate::scene::layers::Layer;
 use crate::scene::settings::Settings;
+use crate::scene::view::camera::Camera;
 
 /// Longest bar of the scale, points.
 const LONGEST_BAR: f64 = 130.0;

@@ -10,8 +10,8 @@ use crate::error::{Error, Result};
 use crate::gpu::texture::{self, Shape};
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::view_state::ViewState;
-use crate::scene::views::VIEWS;
+use crate::scene::view::named::VIEWS;
+use crate::scene::view::state::ViewState;
 
 mod heights;
 use heights::{Height, Heights};

@@ -12,12 +12,12 @@ use super::render::{headless, instant, parse_size, parse_state, picture, write_p
 use super::{RenderArgs, bar};
 use crate::error::{Error, Result};
 use crate::renderer::Radiance;
-use crate::scene::camera::Camera;
-use crate::scene::flight::Flight;
-use crate::scene::ride::surface_height;
+use crate::scene::sea::ride::surface_height;
 use crate::scene::time::SceneTime;
-use crate::scene::view_state::ViewState;
-use crate::scene::views::VIEWS;
+use crate::scene::view::camera::Camera;
+use crate::scene::view::flight::Flight;
+use crate::scene::view::named::VIEWS;
+use crate::scene::view::state::ViewState;
 
 /// Name of the record beside the frames.
 const RECORD: &str = "flight.json";

@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::view_state::ViewState;
+use crate::scene::view::state::ViewState;
 
 /// Draw a view into a PNG, a flight into numbered PNGs, or measure a view into a NumPy array.
 #[derive(Args, Debug)]

@@ -7,8 +7,8 @@ use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::renderer::Renderer;
-use crate::scene::view_state::ViewState;
-use crate::scene::views;
+use crate::scene::view::named;
+use crate::scene::view::state::ViewState;
 
 /// Open the globe in a window.
 #[derive(Debug, Clone, clap::Args)]
@@ -37,7 +37,7 @@ pub struct RunArgs {
 pub fn run(args: &RunArgs) -> Result<()> {
     let (mut state, errors) = ViewState::parse_fragment(&args.state, None);
     if args.state.is_empty() {
-        state = views::opening(unix_now_s());
+        state = named::opening(unix_now_s());
     }
     errors.iter().for_each(|error| log::warn!("--state: {error}"));
     let mut wgpu_options = egui_wgpu::WgpuConfiguration::default();

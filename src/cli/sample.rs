@@ -4,9 +4,9 @@ use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
 use crate::data::world::World;
 use crate::error::{Error, Result};
+use crate::model::sea_tables::SeaTables;
 use crate::model::spectrum::DirectionalSpectrum;
-use crate::scene::sea::SeaTables;
-use crate::scene::surface_sample::{instant, sample_surface};
+use crate::scene::sea::surface_sample::{instant, sample_surface};
 use crate::scene::time::SceneTime;
 
 /// Print elevation, depth, water class, shore distance and the surface of the sea at a place, as JSON.

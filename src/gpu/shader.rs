@@ -4,7 +4,9 @@
 
 use std::collections::HashSet;
 
-/// Every shader library by name.
+use crate::scene::frame::uniform::{FoamLevel, FrameUniform, WaveAnchor, WaveNode};
+
+/// Every shader library by name; `frame_memory` is declared in Rust.
 pub const LIBRARY: &[(&str, &str)] = &[
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("bisected_mesh", include_str!("../../shaders/lib/bisected_mesh.wgsl")),
@@ -51,6 +53,11 @@ fn unrolled(line: &str) -> Option<(usize, &str)> {
     Some((count.parse().ok()?, statement))
 }
 
+/// The structs that Rust fills for the shaders.
+fn frame_memory() -> String {
+    [FoamLevel::WGSL, WaveAnchor::WGSL, WaveNode::WGSL, FrameUniform::WGSL].join("\n")
+}
+
 fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
     for line in source.lines() {
         if let Some((count, statement)) = unrolled(line) {
@@ -67,6 +74,10 @@ fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
         };
         let name = name.trim();
         if seen.insert(name.to_owned()) {
+            if name == "frame_memory" {
+                text.push_str(&frame_memory());
+                continue;
+            }
             let found = LIBRARY.iter().find(|(known, _)| *known == name);
             append(found.unwrap_or_else(|| panic!("no shader library {name:?}")).1, seen, text);
         }

@@ -8,10 +8,13 @@ pub mod beach;
 pub mod cascade;
 pub mod cuboid;
 pub mod dispersion;
+pub mod drawn_tiles;
 pub mod earth;
 pub mod fft;
 pub mod foam;
 pub mod geodesic;
+pub mod lift;
+pub mod moved_water;
 pub mod noise;
 pub mod optics;
 pub mod perlin;
@@ -20,10 +23,12 @@ pub mod sea;
 pub mod sea_bed;
 pub mod sea_spectrum;
 pub mod sea_state;
+pub mod sea_tables;
 pub mod spectrum;
 pub mod spreading;
 pub mod sun;
 pub mod surface;
+pub mod wave_domain;
 pub mod waves;
 
 /// Standard gravity, m/s² (CGPM 1901). The sea uses this one value everywhere on the globe.

@@ -3,8 +3,8 @@
 use egui::{ComboBox, Response, Slider, Ui};
 
 use super::{Widgets, digits};
-use crate::scene::foam::Whitecaps;
-use crate::scene::sea::SeaTables;
+use crate::model::sea_tables::SeaTables;
+use crate::scene::sea::foam::Whitecaps;
 use crate::scene::settings::{FoamRule, Settings, Spectrum, Swell};
 
 /// The fetch that the switch turns on with, km.

@@ -4,7 +4,7 @@ use egui::{DragValue, Slider, TextEdit, Ui};
 
 use super::{Widgets, digits};
 use crate::scene::time::SceneTime;
-use crate::scene::view_state::ViewState;
+use crate::scene::view::state::ViewState;
 
 const DAY_S: f64 = 86_400.0;
 

@@ -23,7 +23,7 @@ use bytemuck::{Pod, Zeroable};
 use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
 use crate::model::cuboid;
-use crate::scene::bisection::Bisection;
+use crate::scene::frame::bisection::Bisection;
 
 /// Slots of one workgroup that counts; a pool has a power of two of them.
 const COUNTED: u32 = 8192;

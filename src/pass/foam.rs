@@ -4,8 +4,8 @@
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
-use crate::scene::foam::TEXELS;
-use crate::scene::foam_history::FoamStep;
+use crate::scene::sea::foam::TEXELS;
+use crate::scene::sea::foam_history::FoamStep;
 
 /// 32 bits: 16 would round the small steps of a fast picture away, each driver in its own way.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;

@@ -2,9 +2,9 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
+use crate::model::wave_domain::MAX_NODES;
+use crate::scene::frame::uniform::WaveNode;
 use crate::scene::frame::{Frame, FrameUniform};
-use crate::scene::wave_domain::MAX_NODES;
-use crate::scene::wave_nodes::WaveNode;
 
 /// The group, its layout, and the buffers behind it.
 pub struct FrameGroup {

@@ -8,7 +8,7 @@ use crate::data::world::{Outcome, World};
 use crate::data::{SharedTexels, TileTexels};
 use crate::gpu::Gpu;
 use crate::gpu::texture::{Shape, array_view};
-use crate::scene::camera::Camera;
+use crate::scene::view::camera::Camera;
 
 /// Levels of the page tables; equals `PAGE_LEVELS` in `shaders/lib/world.wgsl`.
 pub const PAGE_LEVELS: usize = 12;

@@ -3,8 +3,8 @@
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::pass::bisect::{Bisect, DISPATCHES, SETTLING, capacity_for, drawn_layout};
-use crate::scene::bisection::Bisection;
 use crate::scene::frame::Frame;
+use crate::scene::frame::bisection::Bisection;
 
 /// What a mesh at rest depends on.
 #[derive(Clone, Copy, PartialEq)]

@@ -6,15 +6,15 @@ use std::sync::Arc;
 use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture;
+use crate::model::sea_tables::SeaTables;
 use crate::model::waves::CASCADES;
 use crate::pass::fft::{Fft, Precision, WaveData};
 use crate::pass::foam::{self, Foam};
 use crate::pass::perlin::Perlin;
 use crate::pass::sky_table::SkyTable;
-use crate::scene::foam::Whitecaps;
-use crate::scene::foam_history::History;
 use crate::scene::frame::Frame;
-use crate::scene::sea::SeaTables;
+use crate::scene::sea::foam::Whitecaps;
+use crate::scene::sea::foam_history::History;
 
 /// Samples along a side of the tiles until the first sea says otherwise.
 const SAMPLES: usize = 256;

@@ -1,30 +1,18 @@
-//! Floor 2: what to draw, as plain data: the settings, the camera, the time, and their form as a link.
+//! Floor 2: what to draw, as plain data: the settings, the view, the sea, their form as a link, and all of it as a frame.
 //!
 //! Nothing here knows a graphics device or a widget. Angles are radians except where a name ends in `_deg`.
+//!
+//! | room | what |
+//! |---|---|
+//! | [`view`] | where the eye is and how it moves, and which map tiles it sees |
+//! | [`sea`] | the sea of the settings: its tables, foam, surface at a place |
+//! | [`link`] | a view as a link's fragment and back |
+//! | [`frame`] | everything that one picture is drawn from, narrowed to the GPU's numbers |
 
-pub mod bisection;
-pub mod camera;
-pub mod drawn_tiles;
-pub mod flight;
-pub mod foam;
-pub mod foam_history;
-pub mod fragment;
 pub mod frame;
-pub mod inertia;
 pub mod layers;
-pub mod maplibre;
-pub mod moved_water;
-pub mod navigate;
-pub mod number;
-pub mod pair;
-pub mod ride;
+pub mod link;
 pub mod sea;
 pub mod settings;
-pub mod surface_sample;
-pub mod tiles;
 pub mod time;
-pub mod values;
-pub mod view_state;
-pub mod views;
-pub mod wave_domain;
-pub mod wave_nodes;
+pub mod view;

@@ -1,8 +1,8 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
-use super::layers::Layers;
 pub use crate::model::sea::SpectrumKind as Spectrum;
 use crate::model::sea_state;
+use crate::scene::layers::Layers;
 
 /// The wind at 10 m over the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -172,6 +172,12 @@ impl Settings {
     /// Speed at 10 m in m/s that drives the waves: the Beaufort grade's where one is given, else the wind's.
     pub fn wind_speed_mps(&self) -> f64 {
         self.beaufort.map_or(self.wind.speed_mps, |grade| sea_state::speed_from_beaufort(f64::from(grade)))
+    }
+
+    /// Bearing that the wind comes from, radians clockwise from north. One for the whole earth; a field of winds would give each place
+    /// its own.
+    pub fn wind_from(&self) -> f64 {
+        self.wind.from_deg.to_radians()
     }
 
     /// The Beaufort grade of [`Settings::wind_speed_mps`].

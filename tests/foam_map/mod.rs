@@ -5,15 +5,15 @@
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::texture;
+use ocean_globe::model::wave_domain;
 use ocean_globe::model::waves::{self, TICKS_PER_SECOND};
 use ocean_globe::pass::fft::{Fft, Precision, WaveData};
 use ocean_globe::pass::foam::Foam;
-use ocean_globe::scene::camera::Camera;
-use ocean_globe::scene::foam::{FoamEye, TEXELS_M};
-use ocean_globe::scene::foam_history::History;
 use ocean_globe::scene::frame::{Frame, FrameUniform};
+use ocean_globe::scene::sea::foam::{FoamEye, TEXELS_M};
+use ocean_globe::scene::sea::foam_history::History;
 use ocean_globe::scene::settings::{Settings, Wind};
-use ocean_globe::scene::wave_domain;
+use ocean_globe::scene::view::camera::Camera;
 
 #[path = "../kernel/mod.rs"]
 mod kernel;

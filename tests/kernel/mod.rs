@@ -5,7 +5,7 @@
 use bytemuck::Pod;
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::pipeline::Bind;
-use ocean_globe::scene::wave_nodes::WaveNode;
+use ocean_globe::scene::frame::uniform::WaveNode;
 
 /// Threads of a workgroup, as every kernel declares.
 const THREADS: usize = 64;

@@ -8,10 +8,10 @@ use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::model::cuboid::{Point, Triangle, UNIT};
 use ocean_globe::pass::bisect::{Bisect, Bisector, State, drawn_layout, source};
-use ocean_globe::scene::bisection::Bisection;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::settings::{Mesh, Settings, Triangles, Wind};
+use ocean_globe::scene::view::camera::Camera;
 
 /// Base, left and right edge, as their ends.
 pub fn edges([apex, left, right]: Triangle) -> [[Point; 2]; 3] {

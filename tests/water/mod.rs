@@ -7,15 +7,15 @@ use std::sync::Arc;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::texture;
 use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::model::wave_domain;
 use ocean_globe::model::waves::{self, Cascade};
 use ocean_globe::pass::fft::{Fft, Precision, WaveData};
 use ocean_globe::pass::perlin::Perlin;
-use ocean_globe::scene::camera::Camera;
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::sea::SeaTables;
+use ocean_globe::scene::frame::uniform::WaveAnchor;
 use ocean_globe::scene::settings::{Settings, Wind};
-use ocean_globe::scene::wave_domain;
-use ocean_globe::scene::wave_nodes::WaveAnchor;
+use ocean_globe::scene::view::camera::Camera;
 
 #[path = "../kernel/mod.rs"]
 pub mod kernel;

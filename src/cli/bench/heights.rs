@@ -18,10 +18,10 @@ use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::model::earth::WGS84;
 use crate::renderer::{Cost, Radiance, Renderer};
-use crate::scene::camera::Camera;
 use crate::scene::frame::{Frame, Output};
 use crate::scene::settings::{Mesh, Settings};
-use crate::scene::view_state::ViewState;
+use crate::scene::view::camera::Camera;
+use crate::scene::view::state::ViewState;
 
 /// How many times as wide as the grid's the coarse grid's cells are.
 const COARSER: f32 = 4.0;

@@ -1,7 +1,7 @@
 //! What the wave transform is fed with, and how large its fields become.
 
+use crate::model::sea_tables::SeaTables;
 use crate::model::waves::{self, Cascade};
-use crate::scene::sea::SeaTables;
 
 /// Amplitudes and frequencies of all cascades, one after another: what the waves of a sea are made of.
 #[derive(Clone, Debug, Default)]

@@ -6,9 +6,9 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M};
 use crate::model::foam;
 use crate::model::waves::TICKS_PER_SECOND;
+use crate::scene::sea::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M};
 
 /// Lifetimes that a replay goes back: e⁻³ is 5 %.
 const LIFETIMES: u64 = 3;

@@ -9,17 +9,17 @@
 //!  |      |   |1 +-+  |   |      |
 //!  |      |   |  |0|e |   |      |   The four squares share one texture, a channel each.
 //! ```
-//! How it moves on in time: [`super::foam_history`].
+//! How it moves on in time: [`crate::scene::sea::foam_history`].
 
 use std::sync::{Arc, Mutex};
 
 use glam::DVec2;
 
-use super::sea::SeaTables;
-use super::settings::{Foam, FoamRule, Settings};
-use super::wave_domain::BLEND_WIDTH_M;
 use crate::model::foam::{self, Fold};
 use crate::model::sea_state;
+use crate::model::sea_tables::SeaTables;
+use crate::model::wave_domain::BLEND_WIDTH_M;
+use crate::scene::settings::{Foam, FoamRule, Settings};
 
 /// Squares of the map; equals `FOAM_LEVELS` in `shaders/lib/frame.wgsl`.
 pub const LEVELS: usize = 4;

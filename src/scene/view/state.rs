@@ -1,10 +1,10 @@
 //! The whole view: where the eye is, how the sea is, when. What a link carries.
 
-use super::camera::Camera;
-use super::settings::Settings;
-use super::time::SceneTime;
+use crate::scene::settings::Settings;
+use crate::scene::time::SceneTime;
+use crate::scene::view::camera::Camera;
 
-/// Everything that a shared link restores. Its text form is in [`super::fragment`].
+/// Everything that a shared link restores. Its text form is in [`crate::scene::link::fragment`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewState {
     /// The eye.

@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::camera::{Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M, wrap_signed};
 use crate::model::earth::{Ellipsoid, WGS84, ecef_from_enu};
 use crate::model::sea_bed::smoothstep;
+use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M, wrap_signed};
 
 /// Tilt at which a descent without any other wish ends, radians: the horizon is in the picture, the sea fills most of it.
 const DECK_TILT: f64 = 78.0 * PI / 180.0;

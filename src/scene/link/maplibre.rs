@@ -5,9 +5,9 @@
 
 use glam::DVec3;
 
-use super::camera::{Basis, Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M};
-use super::number::{clamped, finite};
 use crate::model::earth::{Geodetic, WGS84};
+use crate::scene::link::number::{clamped, finite};
+use crate::scene::view::camera::{Basis, Camera, FIELD_OF_VIEW_Y, HIGHEST_M, LOWEST_M};
 
 /// Height in CSS pixels of the page that the conversion assumes; the hash does not tell.
 pub const PAGE_HEIGHT_PX: f64 = 720.0;

@@ -1,8 +1,8 @@
 //! The named views: from orbit to the deck, and the sea in four winds. Fixed times, so that each looks the same for everyone.
 
-use super::camera::Camera;
-use super::view_state::ViewState;
 use crate::model::sun;
+use crate::scene::view::camera::Camera;
+use crate::scene::view::state::ViewState;
 
 /// A view with a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,129 +2,25 @@
 
 use std::sync::Arc;
 
-use bytemuck::{Pod, Zeroable};
-use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
+use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec4};
 
-use super::bisection::Bisection;
-use super::camera::{Camera, FIELD_OF_VIEW_Y};
-use super::foam::{self, FoamEye, Whitecaps};
-use super::layers::Layer;
-use super::ride::surface_height;
-use super::sea::SeaTables;
-use super::settings::{FoamRule, Mesh, Quality, Settings};
-use super::wave_domain::{self, MAX_NODES};
-use super::wave_nodes::{self, WaveNode};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
+use crate::model::sea_tables::SeaTables;
+use crate::model::wave_domain::{self, MAX_NODES};
 use crate::model::{sea_state, sun};
+use crate::scene::frame::bisection::Bisection;
+use crate::scene::layers::Layer;
+use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
+use crate::scene::sea::ride::surface_height;
+use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
+use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
+use uniform::{FoamLevel, WaveNode};
+pub use uniform::{FrameUniform, NEAR_M, Output};
 
-/// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
-pub const NEAR_M: f64 = 0.1;
-
-/// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum Output {
-    /// The picture.
-    #[default]
-    Picture = 0,
-    /// Degrees of longitude and latitude relative to the eye's foot; distance.
-    LonLat = 1,
-    /// Depth of the water in metres.
-    Depth = 2,
-    /// Opacity of the water, 0 on land.
-    Mask = 3,
-    /// Height of the surface over the ellipsoid in metres.
-    Height = 4,
-    /// Unit normal, east, north, up at the eye.
-    Normal = 5,
-    /// 0 land, 1 ocean, 2 lake.
-    Class = 6,
-    /// Weight of the Perlin field in the mix.
-    PerlinWeight = 7,
-}
-
-/// A square of the foam map for the GPU; mirrors `FoamLevel` in `shaders/lib/frame.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-#[expect(missing_docs, reason = "documented where the shader declares them")]
-pub struct FoamLevel {
-    pub texel: [i32; 2],
-    pub fraction: [f32; 2],
-    pub side: f32,
-    pub threshold: f32,
-    pub softness: f32,
-    pub unused: u32,
-}
-
-/// Bind group 0's block; mirrors `Frame` in `shaders/lib/frame.wgsl`, which documents the members.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-#[expect(missing_docs, reason = "documented where the shader declares them")]
-pub struct FrameUniform {
-    pub clip_from_local: Mat4,
-    pub ray_right: Vec3,
-    pub eye_altitude: f32,
-    pub ray_up: Vec3,
-    pub semi_major: f32,
-    pub ray_forward: Vec3,
-    pub semi_minor: f32,
-    pub quadric_diagonal: Vec3,
-    pub quadric_constant: f32,
-    pub quadric_mixed: Vec3,
-    pub projector_rise: f32,
-    pub quadric_gradient: Vec3,
-    pub projector_constant: f32,
-    pub projector_gradient: Vec3,
-    pub rim_reach: f32,
-    pub sin_lat: f32,
-    pub cos_lat: f32,
-    pub foot_nu: f32,
-    pub mercator_sin: f32,
-    pub north_point: Vec2,
-    pub south_point: Vec2,
-    pub north_delta: Vec3,
-    pub mercator_sin_delta: f32,
-    pub south_delta: Vec3,
-    pub whitecaps: f32,
-    pub mercator_fixed: [u32; 2],
-    pub north_fixed: [u32; 2],
-    pub south_fixed: [u32; 2],
-    pub meridian: Vec2,
-    pub sun: Vec3,
-    pub exposure: f32,
-    pub viewport: Vec2,
-    pub pixel_angle: f32,
-    pub water_density: f32,
-    pub wind: Vec2,
-    pub wave_height: f32,
-    pub chop: f32,
-    pub mix_near: f32,
-    pub mix_far: f32,
-    pub foam_rule: u32,
-    pub perlin_patch: f32,
-    pub patches: Vec4,
-    pub spacings: Vec4,
-    pub lace_texel: [i32; 2],
-    pub lace_fraction: [f32; 2],
-    pub perlin_spacing: f32,
-    pub cell_pixels: f32,
-    pub unused_b: f32,
-    pub unused_c: f32,
-    pub node_count: u32,
-    pub layers: u32,
-    pub output: u32,
-    pub cascade_count: u32,
-    pub terrain_resolution: f32,
-    pub crest_height: f32,
-    pub foam_heights: Vec2,
-    pub below_slopes: Vec2,
-    pub under_water: u32,
-    pub chop_level: f32,
-    pub cascade_slopes: [Vec4; 2],
-    pub perlin_slopes: Vec4,
-    pub foam_levels: [FoamLevel; foam::LEVELS],
-}
+pub mod bisection;
+pub mod uniform;
+mod wave_nodes;
 
 /// Everything that one call of `Renderer::render` draws.
 #[derive(Clone, Debug)]

@@ -3,41 +3,13 @@
 //! Integers carry the place on earth: a lattice vertex near the eye and the way from it, at most some kilometres, are exact to a
 //! fraction of a millimetre in 32 bits.
 
-use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3};
-
-use super::camera::Camera;
-use super::foam::{self, FoamEye};
-use super::frame::FrameUniform;
-use super::sea::SeaTables;
-use super::settings::Settings;
-use super::wave_domain::{self, Cell, MAX_NODES, PERLIN_TILE, Plane, TILES};
 use crate::model::earth::{self, WGS84};
-
-/// Where the lattice of a tile lies; mirrors `WaveAnchor` in `shaders/lib/frame.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-#[expect(missing_docs, reason = "documented where the shader declares them")]
-pub struct WaveAnchor {
-    pub vertex: [i32; 2],
-    pub eye: Vec2,
-}
-
-/// One cell of the wave domain for the GPU; mirrors `WaveNode` in `shaders/lib/frame.wgsl`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-#[expect(missing_docs, reason = "documented where the shader declares them")]
-pub struct WaveNode {
-    pub origin: Vec3,
-    pub cos_lat: f32,
-    pub axis_x: Vec3,
-    pub turn: f32,
-    pub axis_y: Vec3,
-    pub key: u32,
-    pub wind: Vec2,
-    pub polar_north: Vec2,
-    pub anchors: [WaveAnchor; TILES],
-}
+use crate::model::sea_tables::SeaTables;
+use crate::model::wave_domain::{self, Cell, MAX_NODES, PERLIN_TILE, Plane};
+use crate::scene::frame::uniform::{FrameUniform, WaveAnchor, WaveNode};
+use crate::scene::sea::foam::{self, FoamEye};
+use crate::scene::settings::Settings;
+use crate::scene::view::camera::Camera;
 
 /// The cells that may serve what the eye sees, nearest first, how many they are, and the eye in the foam map.
 pub fn around(
@@ -56,7 +28,7 @@ pub fn around(
     cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
     let patch_m = |tile: usize| if tile == PERLIN_TILE { sea.perlin.patch_m } else { sea.cascades[tile].patch_m };
     let node = |cell: &Cell| {
-        let plane = Plane::new(settings, cell);
+        let plane = Plane::new(cell, settings.seed, settings.wind_from());
         let eye_in_plane = plane.point(eye);
         let anchor = |tile: usize| {
             let spacing = wave_domain::spacing_m(patch_m(tile));
@@ -80,8 +52,8 @@ pub fn around(
         *slot = node(cell);
     }
     let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
-        frame: (cell.address, wave_domain::wind_from(settings, cell).to_bits()),
-        at: Plane::new(settings, cell).point(eye),
+        frame: (cell.address, settings.wind_from().to_bits()),
+        at: Plane::new(cell, settings.seed, settings.wind_from()).point(eye),
         cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
         finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
     });

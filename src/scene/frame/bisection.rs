@@ -3,10 +3,10 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, UVec3, Vec3};
 
-use super::camera::Camera;
-use super::settings::Triangles;
 use crate::model::cuboid::{UNIT, cube_from_ecef};
 use crate::model::earth::{self, WGS84};
+use crate::scene::settings::Triangles;
+use crate::scene::view::camera::Camera;
 
 /// The block for the GPU; mirrors `Bisection` in `shaders/lib/cuboid.wgsl`, which documents the members.
 #[repr(C)]

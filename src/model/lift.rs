@@ -1,20 +1,13 @@
-//! The eye over the moving water: its altitude counted from the surface at its place instead of from the ellipsoid.
-//!
-//! A ride asks for one place in every frame, so the waves are summed there one by one, each as the linear interpolation
-//! between its tile's samples leaves it: the drawn surface without the transforms of [`super::surface_sample`].
-
-use std::sync::{Arc, Mutex, PoisonError};
+//! The drawn surface at one place, its waves summed there one by one, each as the linear interpolation between its tile's samples
+//! leaves it: the surface of [`super::drawn_tiles`] without their transforms, for an eye that rides on it.
 
 use glam::{DVec2, DVec3};
 
-use super::camera::Camera;
-use super::moved_water::{Motion, Place, between_samples};
-use super::sea::SeaTables;
-use super::settings::Settings;
-use super::view_state::ViewState;
-use crate::model::fft::{Complex, mul};
-use crate::model::surface::{evolve, gain_of, phase_at};
-use crate::model::waves::{self, Cascade, Tile};
+use super::fft::{Complex, mul};
+use super::moved_water::{Motion, between_samples};
+use super::sea_tables::SeaTables;
+use super::surface::{evolve, gain_of, phase_at};
+use super::waves::{self, Cascade, Tile};
 
 /// Waves lower than this share of the significant height do not lift the eye.
 const NOTICED: f64 = 5e-5;
@@ -30,7 +23,7 @@ struct Wave {
 }
 
 /// The waves of a cascade that move an eye noticeably.
-struct Lift {
+pub struct Lift {
     n: usize,
     patch_m: f64,
     /// e^{2πi/n} to the power 0…n − 1.
@@ -39,7 +32,8 @@ struct Lift {
 }
 
 impl Lift {
-    fn new(tables: &SeaTables, index: usize, cascade: &Cascade) -> Self {
+    /// The waves of cascade number `index`.
+    pub fn new(tables: &SeaTables, index: usize, cascade: &Cascade) -> Self {
         let (tile, n) = (Tile::from(cascade), cascade.n);
         let h0 = waves::initial_amplitudes(&tables.sea, index, cascade);
         let omegas = tables.frequencies(cascade);
@@ -62,7 +56,7 @@ impl Lift {
     }
 
     /// H(k) of every wave at a tick.
-    fn evolved(&self, ticks: u64) -> Vec<Complex> {
+    pub fn evolved(&self, ticks: u64) -> Vec<Complex> {
         let h = |w: &Wave| evolve(w.h0, w.h0_mirror, 0.0, phase_at(w.cycles_per_tick, ticks)).0;
         self.waves.iter().map(h).collect()
     }
@@ -78,7 +72,7 @@ impl Lift {
     }
 
     /// The motion at tile coordinates `at`, m, from the waves' H(k).
-    fn motion(&self, evolved: &[Complex], at: DVec2) -> Motion {
+    pub fn motion(&self, evolved: &[Complex], at: DVec2) -> Motion {
         let (along_x, along_y) = (self.factors(at.x), self.factors(at.y));
         let mut sum = Motion::default();
         for (wave, h) in self.waves.iter().zip(evolved) {
@@ -94,40 +88,5 @@ impl Lift {
             };
         }
         sum
-    }
-}
-
-/// Height in metres of the drawn surface over the ellipsoid under the eye.
-pub fn surface_height(settings: &Settings, camera: &Camera, unix_seconds: f64) -> f64 {
-    type Kept = (Arc<SeaTables>, Vec<Lift>);
-    static LAST: Mutex<Option<Kept>> = Mutex::new(None);
-    let tables = SeaTables::of(settings);
-    if tables.sea.hs_m == 0.0 {
-        return 0.0;
-    }
-    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    let (_, lifts) = match last.take().filter(|(kept, _)| *kept == tables) {
-        Some(kept) => last.insert(kept),
-        None => {
-            let lift = |(index, cascade)| Lift::new(&tables, index, cascade);
-            let lifts = tables.cascades.iter().enumerate().map(lift).collect();
-            last.insert((tables.clone(), lifts))
-        }
-    };
-    let ticks = waves::ticks_from_unix(unix_seconds);
-    let evolved: Vec<_> = lifts.iter().map(|lift| lift.evolved(ticks)).collect();
-    let place = Place::new(settings, &tables, camera.lat, camera.lon);
-    let tile = |index: usize, at| lifts[index].motion(&evolved[index], at);
-    place.invert(tables.sea.chop, tile).1.height - tables.chop_level_m
-}
-
-impl ViewState {
-    /// The eye at an instant: the camera, lifted onto the moving surface when it rides.
-    pub fn eye(&self, unix_seconds: f64) -> Camera {
-        if !self.ride {
-            return self.camera;
-        }
-        let lift = surface_height(&self.settings, &self.camera, unix_seconds);
-        Camera { altitude_m: self.camera.altitude_m + lift, ..self.camera }
     }
 }

@@ -29,11 +29,10 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use glam::{DVec2, DVec3};
 
-use super::settings::Settings;
-use crate::model::earth::{self, Geodetic, WGS84};
-use crate::model::noise;
-use crate::model::sea_bed::smoothstep;
-use crate::model::waves::CASCADES;
+use super::earth::{self, Geodetic, WGS84};
+use super::noise;
+use super::sea_bed::smoothstep;
+use super::waves::CASCADES;
 
 /// Cells along the side of a face.
 pub const CELLS: i32 = 128;
@@ -68,12 +67,6 @@ pub fn spacing_m(patch_m: f64) -> f64 {
     let power_of_two = f64::from_bits(wanted.to_bits() & !((1 << 52) - 1));
     let unit = power_of_two / 32.0;
     (wanted / unit).round() * unit
-}
-
-/// The bearing that the wind comes from at a cell, radians clockwise from north. One for the whole earth; a field of winds
-/// would give each cell its own.
-pub fn wind_from(settings: &Settings, _cell: &Cell) -> f64 {
-    settings.wind.from_deg.to_radians()
 }
 
 /// Cells that serve a point (earth-centred, metres) with their weights, whose squares sum to one; the rest are left out.
@@ -181,8 +174,8 @@ pub struct Placement {
 }
 
 impl Plane {
-    /// The plane of a cell in the sea of `settings`.
-    pub fn new(settings: &Settings, cell: &Cell) -> Self {
+    /// The plane of a cell, in the sea that `seed` chooses, under a wind from bearing `wind_from` (radians clockwise from north).
+    pub fn new(cell: &Cell, seed: u32, wind_from: f64) -> Self {
         let enu = earth::ecef_from_enu(cell.lat, cell.lon);
         let axes = [enu.x_axis, enu.y_axis];
         let (sin, cos) = cell.lat.sin_cos();
@@ -190,7 +183,7 @@ impl Plane {
         let radius = a * a / (a * a * cos * cos + b * b * sin * sin).sqrt();
         // Northward on the prime meridian is −x at the north pole, +x at the south pole.
         let polar_north = DVec2::new(axes[0].x, axes[1].x) * -cell.lat.signum();
-        let (wind_sin, wind_cos) = wind_from(settings, cell).sin_cos();
+        let (wind_sin, wind_cos) = wind_from.sin_cos();
         let [face, i, j] = cell.address;
         Self {
             centre: cell.centre,
@@ -199,7 +192,7 @@ impl Plane {
             turn: sin / radius,
             polar_north,
             wind: DVec2::new(wind_sin, wind_cos),
-            key: (noise::bits(settings.seed, 1_000, face * 65_536 + i * 256 + j, 0)[0] >> 32) as u32,
+            key: (noise::bits(seed, 1_000, face * 65_536 + i * 256 + j, 0)[0] >> 32) as u32,
         }
     }
 

@@ -1,8 +1,8 @@
 //! The values of the pairs in a link that have parts or names.
 
-use super::camera::Camera;
-use super::number::{clamped, decimal, decimal_deg, finite, whole, wrapped_deg};
-use super::settings::{Foam, FoamRule, Mesh, Swell, Triangles, Wind};
+use crate::scene::link::number::{clamped, decimal, decimal_deg, finite, whole, wrapped_deg};
+use crate::scene::settings::{Foam, FoamRule, Mesh, Swell, Triangles, Wind};
+use crate::scene::view::camera::Camera;
 
 /// Lowest altitude that a link can name, metres: the deepest trench.
 pub const LOWEST_VIEW_M: f64 = -11_000.0;

@@ -6,12 +6,11 @@ use std::ops::AddAssign;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::sea::SeaTables;
-use super::settings::Settings;
+use super::earth::{self, Geodetic, WGS84};
+use super::sea_tables::SeaTables;
+use super::surface::ChopGradient;
 use super::wave_domain::{self, Cell, Plane, cells_near};
-use crate::model::earth::{self, Geodetic, WGS84};
-use crate::model::surface::ChopGradient;
-use crate::model::waves::CASCADES;
+use super::waves::CASCADES;
 
 /// How the waves move a point at rest; in a tile's axes, or east and north.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -69,14 +68,14 @@ pub struct Place {
 }
 
 impl Place {
-    /// The place at geodetic `lat` and `lon`, radians, in the sea of `settings`.
-    pub fn new(settings: &Settings, tables: &SeaTables, lat: f64, lon: f64) -> Self {
+    /// The place at geodetic `lat` and `lon`, radians, in a sea under a wind from bearing `wind_from` (radians clockwise from north).
+    pub fn new(tables: &SeaTables, wind_from: f64, lat: f64, lon: f64) -> Self {
         let ecef_from_enu = earth::ecef_from_enu(lat, lon);
         let enu_from_ecef = ecef_from_enu.transpose();
         let foot = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
         let cells = cells_near(lat, lon);
         let serving = wave_domain::blend(&cells, foot).into_iter().map(|(cell, _)| {
-            let plane = Plane::new(settings, cell);
+            let plane = Plane::new(cell, tables.sea.seed, wind_from);
             (cell.address, plane, plane.axes.map(|axis| (enu_from_ecef * axis).truncate()))
         });
         let patches_m = tables.cascades.map(|cascade| cascade.patch_m);

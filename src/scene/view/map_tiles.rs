@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::camera::{Camera, FIELD_OF_VIEW_Y};
 use crate::data::tile::{Projection, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
+use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// Deepest level of the ground's mesh: cells of 76 m at the equator.
 pub const DEEPEST_MESH: u8 = 14;

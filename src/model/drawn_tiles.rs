@@ -4,11 +4,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{DVec2, DVec3};
 
+use super::fft::Complex;
 use super::moved_water::{Motion, between_samples};
-use super::sea::SeaTables;
-use crate::model::fft::Complex;
-use crate::model::surface::{gain_of, packed_fields, phase_at};
-use crate::model::waves::{self, Cascade};
+use super::sea_tables::SeaTables;
+use super::surface::{gain_of, packed_fields, phase_at};
+use super::waves::{self, Cascade};
 
 /// Amplitudes h0 and cycles per tick of a cascade.
 type Waves = (Vec<Complex>, Vec<u64>);

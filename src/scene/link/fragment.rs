@@ -7,19 +7,19 @@
 //! value stays; numbers are checked finite, then clamped. Unknown pairs are kept as they were written.
 //! Values are ids and numbers, never addresses: a link cannot make a page fetch from a stranger's host.
 
-use super::camera::Camera;
-use super::layers::Layers;
-use super::maplibre;
-use super::number::{clamped, decimal, whole};
-use super::pair::{MAP_HASH, encode, our_pair};
-use super::settings::{Quality, Settings, Spectrum};
-use super::time::SceneTime;
-use super::values::{
+use crate::error::Error;
+use crate::scene::layers::Layers;
+use crate::scene::link::maplibre;
+use crate::scene::link::number::{clamped, decimal, whole};
+use crate::scene::link::pair::{MAP_HASH, encode, our_pair};
+use crate::scene::link::values::{
     format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
     parse_swell, parse_view, parse_wind,
 };
-use super::view_state::ViewState;
-use crate::error::Error;
+use crate::scene::settings::{Quality, Settings, Spectrum};
+use crate::scene::time::SceneTime;
+use crate::scene::view::camera::Camera;
+use crate::scene::view::state::ViewState;
 
 /// Longest fragment of ours that is read or written, bytes.
 pub const LONGEST: usize = 2048;

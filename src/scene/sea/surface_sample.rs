@@ -2,14 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
-use super::drawn_tiles::DrawnTiles;
-use super::moved_water::Place;
-use super::sea::SeaTables;
-use super::settings::Settings;
-use super::time::SceneTime;
-use super::view_state::ViewState;
 use crate::error::{Error, Result};
+use crate::model::drawn_tiles::DrawnTiles;
+use crate::model::moved_water::Place;
+use crate::model::sea_tables::SeaTables;
 use crate::model::waves;
+use crate::scene::settings::Settings;
+use crate::scene::time::SceneTime;
+use crate::scene::view::state::ViewState;
 
 /// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal; as in `shaders/lib/waves.wgsl`.
 const LEAST_JACOBIAN: f64 = 0.25;
@@ -49,7 +49,7 @@ pub fn sample_surface(settings: &Settings, lat: f64, lon: f64, unix_seconds: f64
         };
     }
     let tiles = DrawnTiles::of(&tables, waves::ticks_from_unix(unix_seconds));
-    let place = Place::new(settings, &tables, lat, lon);
+    let place = Place::new(&tables, settings.wind_from(), lat, lon);
     let chop = tables.sea.chop;
     let (rest, motion) = place.invert(allowed * chop, |index, at| tiles.motion(index, at));
     let gradient = motion.chop_gradient(chop);

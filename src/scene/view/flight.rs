@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use glam::DQuat;
 
-use super::camera::{Camera, wrap_signed};
-use super::navigate::arc;
 use crate::model::earth;
+use crate::scene::view::camera::{Camera, wrap_signed};
+use crate::scene::view::navigate::arc;
 
 /// Samples of the way along the great circle.
 const SAMPLES: usize = 96;

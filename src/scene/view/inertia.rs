@@ -4,9 +4,11 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::camera::{Camera, LOWEST_M};
-use super::navigate::{above_ground, arc, bring, drag_beside, ground_ellipsoid, reach_m, slide, turn, turned, zoom};
 use crate::model::earth::WGS84;
+use crate::scene::view::camera::{Camera, LOWEST_M};
+use crate::scene::view::navigate::{
+    above_ground, arc, bring, drag_beside, ground_ellipsoid, reach_m, slide, turn, turned, zoom,
+};
 
 /// Time in seconds after which a released globe has slowed to 1/e.
 const SWING_S: f64 = 0.35;

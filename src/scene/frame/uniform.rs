@@ -1,0 +1,239 @@
+//! What the GPU reads of a frame: plain memory, declared here once for Rust and for the shaders (`#import frame_memory`).
+//!
+//! Local frame: metres, origin at the eye, x east, y north, z along the geodetic normal of the eye's foot point.
+//! Map squares: 0 Mercator, 1 north stereographic, 2 south stereographic; fixed point, 2^32 = one side, x right, y down.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+use crate::model::wave_domain::TILES;
+use crate::scene::sea::foam;
+
+/// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
+pub const NEAR_M: f64 = 0.1;
+
+/// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Output {
+    /// The picture.
+    #[default]
+    Picture = 0,
+    /// Degrees of longitude and latitude relative to the eye's foot; distance.
+    LonLat = 1,
+    /// Depth of the water in metres.
+    Depth = 2,
+    /// Opacity of the water, 0 on land.
+    Mask = 3,
+    /// Height of the surface over the ellipsoid in metres.
+    Height = 4,
+    /// Unit normal, east, north, up at the eye.
+    Normal = 5,
+    /// 0 land, 1 ocean, 2 lake.
+    Class = 6,
+    /// Weight of the Perlin field in the mix.
+    PerlinWeight = 7,
+}
+
+/// Declares memory that Rust and the shaders share: a struct, its text in WGSL, and its members with their offsets, which a test
+/// compares with those that WGSL's layout rules give.
+macro_rules! gpu_struct {
+    ($(#[$doc:meta])* pub struct $name:ident as $wgsl:literal {
+        $($(#[$member_doc:meta])* $member:ident: $rust:ty = $type:literal,)*
+    }) => {
+        $(#[$doc])*
+        #[repr(C)]
+        #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+        pub struct $name { $($(#[$member_doc])* pub $member: $rust,)* }
+
+        impl $name {
+            /// The struct's declaration in WGSL.
+            pub const WGSL: &str = concat!("struct ", $wgsl, " {\n", $("    ", stringify!($member), ": ", $type, ",\n",)* "}\n");
+            /// Name and offset of every member, bytes.
+            pub const MEMBERS: &[(&str, usize)] = &[$((stringify!($member), std::mem::offset_of!($name, $member))),*];
+        }
+    };
+}
+
+gpu_struct! {
+    /// A square of the foam map; its texels are fixed in the plane of the first wave cell.
+    pub struct FoamLevel as "FoamLevel" {
+        /// That the eye is in.
+        texel: [i32; 2] = "vec2i",
+        /// Of a texel from its corner to the eye.
+        fraction: [f32; 2] = "vec2f",
+        /// Of a texel.
+        side: f32 = "Metres",
+        /// Smaller eigenvalue of the chop's gradient below which whitecaps begin.
+        threshold: f32 = "f32",
+        /// How far below it a texel breaks as a whole.
+        softness: f32 = "f32",
+        /// Padding.
+        unused: u32 = "u32",
+    }
+}
+
+gpu_struct! {
+    /// Where the lattice of a tile lies: a vertex near the eye, and the way from it to the eye in the cell's plane, metres.
+    pub struct WaveAnchor as "WaveAnchor" {
+        /// Vertex.
+        vertex: [i32; 2] = "vec2i",
+        /// Eye.
+        eye: Vec2 = "vec2f",
+    }
+}
+
+gpu_struct! {
+    /// One cell of the wave domain: its plane about the eye, and the tiles' lattices in it. North at (x, y) metres from its centre is
+    /// along (-x turn, cos_lat - y turn).
+    pub struct WaveNode as "WaveNode" {
+        /// Its centre, local.
+        origin: Vec3 = "vec3f",
+        /// Cos lat.
+        cos_lat: f32 = "f32",
+        /// Local; east at the centre.
+        axis_x: Vec3 = "vec3f",
+        /// Turn.
+        turn: f32 = "f32",
+        /// North at the centre.
+        axis_y: Vec3 = "vec3f",
+        /// Random bits.
+        key: u32 = "u32",
+        /// Sine and cosine of the bearing that the wind comes from.
+        wind: Vec2 = "vec2f",
+        /// Direction that stands for north at a pole.
+        polar_north: Vec2 = "vec2f",
+        /// Anchors.
+        anchors: [WaveAnchor; TILES] = "array<WaveAnchor, TILES>",
+    }
+}
+
+gpu_struct! {
+    /// Bind group 0's block.
+    pub struct FrameUniform as "Frame" {
+        /// Clip from local.
+        clip_from_local: Mat4 = "mat4x4f",
+        /// A ray through normalised device coordinates (x, y): ray_forward + x * ray_right + y * ray_up (not unit).
+        ray_right: Vec3 = "vec3f",
+        /// Eye altitude.
+        eye_altitude: f32 = "Metres",
+        /// Ray up.
+        ray_up: Vec3 = "vec3f",
+        /// Semi major.
+        semi_major: f32 = "Metres",
+        /// Ray forward.
+        ray_forward: Vec3 = "vec3f",
+        /// Semi minor.
+        semi_minor: f32 = "Metres",
+        /// The ellipsoid as a quadric about the eye: F(P) = C + 2 g.P + P'QP in metres; F = 0 on it, F ~ height near it.
+        quadric_diagonal: Vec3 = "vec3f",
+        /// Quadric constant.
+        quadric_constant: f32 = "Metres",
+        /// Xy, xz, yz.
+        quadric_mixed: Vec3 = "vec3f",
+        /// The projected grid is cast from this far above the eye.
+        projector_rise: f32 = "Metres",
+        /// Quadric gradient.
+        quadric_gradient: Vec3 = "vec3f",
+        /// Projector constant.
+        projector_constant: f32 = "Metres",
+        /// Projector gradient.
+        projector_gradient: Vec3 = "vec3f",
+        /// How far the chop may bring water into the screen; 0 where that is less than pixels.
+        rim_reach: f32 = "Metres",
+        /// Geodetic trigonometry of the eye's foot.
+        sin_lat: f32 = "f32",
+        /// Cos lat.
+        cos_lat: f32 = "f32",
+        /// Sqrt(a^2 cos^2 + b^2 sin^2).
+        foot_nu: f32 = "Metres",
+        /// Sine of the latitude of the Mercator reference point.
+        mercator_sin: f32 = "f32",
+        /// Stereographic coordinates of the polar reference points.
+        north_point: Vec2 = "vec2f",
+        /// South point.
+        south_point: Vec2 = "vec2f",
+        /// Normal at the eye's foot minus normal at the reference point, earth axes turned to the eye's meridian.
+        north_delta: Vec3 = "vec3f",
+        /// Sin_lat - mercator_sin.
+        mercator_sin_delta: f32 = "f32",
+        /// South delta.
+        south_delta: Vec3 = "vec3f",
+        /// Share of the surface under whitecaps.
+        whitecaps: f32 = "f32",
+        /// Mercator fixed.
+        mercator_fixed: [u32; 2] = "vec2u",
+        /// North fixed.
+        north_fixed: [u32; 2] = "vec2u",
+        /// South fixed.
+        south_fixed: [u32; 2] = "vec2u",
+        /// Cosine and sine of the eye's longitude.
+        meridian: Vec2 = "vec2f",
+        /// Unit vector towards the sun.
+        sun: Vec3 = "vec3f",
+        /// Exposure.
+        exposure: f32 = "f32",
+        /// Pixels.
+        viewport: Vec2 = "vec2f",
+        /// Radians per pixel at the centre.
+        pixel_angle: f32 = "f32",
+        /// Rho of alpha = 1 - exp(-rho depth), per metre.
+        water_density: f32 = "f32",
+        /// Velocity of the wind, m/s, east and north at the eye.
+        wind: Vec2 = "vec2f",
+        /// Significant height Hs.
+        wave_height: f32 = "Metres",
+        /// Chop.
+        chop: f32 = "f32",
+        /// The FFT's own distance, and the Perlin field's.
+        mix_near: f32 = "Metres",
+        /// Mix far.
+        mix_far: f32 = "Metres",
+        /// 0 where the chop folds, 1 on high water.
+        foam_rule: u32 = "u32",
+        /// Perlin patch.
+        perlin_patch: f32 = "Metres",
+        /// Patch lengths of the cascades, metres.
+        patches: Vec4 = "vec4f",
+        /// Spacings of their lattices.
+        spacings: Vec4 = "vec4f",
+        /// Of the eye in the foam's lace, which is aligned with the wind, and the way into it.
+        lace_texel: [i32; 2] = "vec2i",
+        /// Lace fraction.
+        lace_fraction: [f32; 2] = "vec2f",
+        /// Perlin spacing.
+        perlin_spacing: f32 = "Metres",
+        /// Along a cell of the projected grid.
+        cell_pixels: f32 = "f32",
+        /// Padding.
+        unused_b: f32 = "f32",
+        /// Padding.
+        unused_c: f32 = "f32",
+        /// Node count.
+        node_count: u32 = "u32",
+        /// Bit 0 land, 1 sea, 2 sky.
+        layers: u32 = "u32",
+        /// 0 the picture, else a measured layer.
+        output: u32 = "u32",
+        /// Cascade count.
+        cascade_count: u32 = "u32",
+        /// Terrain resolution.
+        terrain_resolution: f32 = "Metres",
+        /// The highest crest to expect.
+        crest_height: f32 = "Metres",
+        /// Water above the first carries foam, above the second nothing else (rule 1), metres.
+        foam_heights: Vec2 = "vec2f",
+        /// Slope variances along the wind and across it: of the waves that no cascade holds, of each cascade's (two in a row).
+        below_slopes: Vec2 = "vec2f",
+        /// 1 when the eye is in the sea.
+        under_water: u32 = "u32",
+        /// Mean level of the choppy FFT tiles, at most 0; what is drawn has it subtracted.
+        chop_level: f32 = "Metres",
+        /// Cascade slopes.
+        cascade_slopes: [Vec4; 2] = "array<vec4f, 2>",
+        /// What the Perlin tile does not hold, then its own.
+        perlin_slopes: Vec4 = "vec4f",
+        /// Foam levels.
+        foam_levels: [FoamLevel; foam::LEVELS] = "array<FoamLevel, FOAM_LEVELS>",
+    }
+}

@@ -1,0 +1,7 @@
+//! The sea of the settings: its tables, its foam, and its surface at a place.
+
+pub mod foam;
+pub mod foam_history;
+pub mod ride;
+pub mod surface_sample;
+pub mod tables;

@@ -1,0 +1,45 @@
+//! The sea that the settings ask for.
+
+use std::sync::{Arc, Mutex};
+
+use crate::model::sea::{Sea, Swell};
+use crate::model::sea_tables::SeaTables;
+use crate::scene::settings::{Quality, Settings};
+
+/// Samples along a side of a wave tile. All have the same tiles; from 256 on finer ones add shorter waves and change no other.
+pub fn tile_samples(quality: Quality) -> usize {
+    match quality {
+        Quality::Low => 128,
+        Quality::Auto | Quality::Medium => 256,
+        Quality::High => 512,
+        Quality::Ultra => 1024,
+        Quality::Extreme => 2048,
+    }
+}
+
+/// The sea that `settings` ask for. A swell's direction becomes one in the frame of the waves: compass bearings FROM run clockwise,
+/// angles TO counter-clockwise, so that their difference is the wind's less the swell's.
+pub fn sea_of(settings: &Settings) -> Sea {
+    let wind_from_deg = settings.wind.from_deg;
+    let swell = settings.swell.map(|swell| Swell {
+        height_m: swell.height_m,
+        period_s: swell.period_s,
+        toward: (wind_from_deg - swell.from_deg).to_radians(),
+    });
+    let fetch_m = settings.fetch_km.map(|km| km * 1000.0);
+    Sea::new(settings.wind_speed_mps(), settings.spectrum, fetch_m, swell, settings.seed, settings.chop)
+}
+
+impl SeaTables {
+    /// The tables of the sea that `settings` ask for; those of the last sea are kept.
+    pub fn of(settings: &Settings) -> Arc<Self> {
+        static LAST: Mutex<Option<Arc<SeaTables>>> = Mutex::new(None);
+        let sea = sea_of(settings);
+        let n = tile_samples(settings.quality);
+        let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match last.as_ref().filter(|kept| kept.sea == sea && kept.cascades[0].n == n) {
+            Some(kept) => kept.clone(),
+            None => last.insert(Arc::new(Self::new(sea, n))).clone(),
+        }
+    }
+}
