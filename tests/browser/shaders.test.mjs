@@ -1,4 +1,4 @@
-// Chromium's compiler takes every shader, those of pipelines that no other test makes too. tests/shaders.rs leaves them composed
+// Chromium's compiler takes every shader, those of pipelines that no other test makes too. tests/gpu/shaders.rs leaves them composed
 // in target/shaders.
 
 import assert from "node:assert/strict";
@@ -13,7 +13,7 @@ const FOLDER = join(dirname(PAGE), "shaders");
 
 test("Chromium's compiler finds no fault with any shader", async (t) => {
   const names = (await readdir(FOLDER)).sort();
-  assert.ok(names.length >= 26, `only ${names.length} shaders in ${FOLDER}: run tests/shaders.rs first`);
+  assert.ok(names.length >= 26, `only ${names.length} shaders in ${FOLDER}: run tests/gpu/shaders.rs first`);
   const globe = await site.open();
   const sources = await Promise.all(names.map((name) => readFile(join(FOLDER, name), "utf8")));
   const faults = await globe.page.evaluate(async (sources) => {

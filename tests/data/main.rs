@@ -1,0 +1,11 @@
+//! The world's archives, the links, the eye, and the commands that draw nothing.
+
+mod bake;
+mod camera;
+mod coast;
+mod hostile_data;
+mod sample;
+mod serve;
+mod small_world;
+mod url;
+mod url_any;

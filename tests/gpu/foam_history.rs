@@ -1,0 +1,160 @@
+//! Foam on the GPU is the same however the time is cut into frames and wherever the eye has been.
+
+use glam::DVec2;
+use ocean_globe::model::waves;
+use ocean_globe::scene::sea::foam::{FoamEye, LEVELS, TEXELS};
+
+use crate::foam_map::{Map, NOON, Sea, blown, mean, ticks};
+
+fn correlation(a: &[f32], b: &[f32]) -> f64 {
+    let (ma, mb) = (mean(a), mean(b));
+    let product = |a: &[f32], ma: f64, b: &[f32], mb: f64| {
+        a.iter().zip(b).map(|(&x, &y)| (f64::from(x) - ma) * (f64::from(y) - mb)).sum::<f64>()
+    };
+    product(a, ma, b, mb) / (product(a, ma, a, ma) * product(b, mb, b, mb)).sqrt()
+}
+
+/// The world's texels of a level about an eye, with their slots.
+fn texels(eye: &FoamEye, level: usize) -> impl Iterator<Item = ([i32; 2], usize)> + use<> {
+    let [x, y] = eye.texel(level).0;
+    let half = TEXELS / 2;
+    let slot = |x: i32, y: i32| (y.rem_euclid(TEXELS) * TEXELS + x.rem_euclid(TEXELS)) as usize;
+    (y - half..y + half).flat_map(move |y| (x - half..x + half).map(move |x| ([x, y], slot(x, y))))
+}
+
+#[test]
+fn foam_that_no_crest_renews_decays_with_its_lifetime() {
+    let sea = Sea::new(&blown(16.0));
+    let mut map = sea.own_map();
+    let (start, eye) = (waves::ticks_from_unix(NOON), sea.frame.foam_eye);
+    sea.bring(&mut map, start, &eye);
+    let before = sea.foam(&map, 1);
+    let mut calm = sea.frame.uniform;
+    for square in &mut calm.foam_levels {
+        square.threshold = -1e3;
+    }
+    sea.gpu.queue.write_buffer(&map.uniform, 0, bytemuck::bytes_of(&calm));
+    sea.step(&mut map, start + ticks(0.7), &eye);
+    sea.step(&mut map, start + ticks(2.0), &eye);
+    let after = sea.foam(&map, 1);
+    let want = (-2.0 / sea.lifetime_s).exp();
+    let mut seen = 0;
+    for (before, after) in before.into_iter().zip(after).filter(|(before, _)| *before > 0.01) {
+        seen += 1;
+        // Each of the two steps rounds its factor and its product to 24 bits, 3e-7 in all. The bound is that of a 16-bit map.
+        let ratio = f64::from(after / before);
+        assert!((ratio / want - 1.0).abs() < 2.0 * 2f64.powi(-10), "{before} to {after}: {ratio} of {want}");
+    }
+    assert!(seen > 1000, "{seen} texels had foam");
+}
+
+#[test]
+fn frames_of_60_and_of_15_a_second_make_the_same_foam() {
+    let sea = Sea::new(&blown(16.0));
+    let (start, eye) = (waves::ticks_from_unix(NOON), sea.frame.foam_eye);
+    let mut maps = [sea.own_map(), sea.own_map()];
+    let begun = start - ticks(1.0);
+    for map in &mut maps {
+        sea.bring(map, begun, &eye);
+    }
+    // Two seconds: whatever is white has been born or has grown old meanwhile.
+    for frame in 1..=120u64 {
+        let now = begun + frame * ticks(1.0) / 60;
+        sea.run(now);
+        sea.step(&mut maps[0], now, &eye);
+        if frame % 4 == 0 {
+            sea.step(&mut maps[1], now, &eye);
+        }
+    }
+    for level in 0..LEVELS {
+        let [fast, slow] = [0, 1].map(|map| sea.foam(&maps[map], level));
+        let (difference, alike) = (mean(&slow) / mean(&fast) - 1.0, correlation(&fast, &slow));
+        println!("level {level}: {:+.2} %, correlation {alike:.4}", 100.0 * difference);
+        assert!(difference.abs() < 0.05, "level {level}: {difference}");
+        assert!(alike > 0.97, "level {level}: {alike}");
+    }
+}
+
+#[test]
+fn foam_stays_where_it_is_when_the_eye_moves() {
+    let sea = Sea::new(&blown(16.0));
+    let (now, eye) = (waves::ticks_from_unix(NOON), sea.frame.foam_eye);
+    let mut map = sea.own_map();
+    sea.bring(&mut map, now, &eye);
+    let start: Vec<Vec<f32>> = (0..LEVELS).map(|level| sea.foam(&map, level)).collect();
+    // 10 m sideways, then forth and back to the same place another way.
+    let moved = |x: f64, y: f64| FoamEye { at: eye.at + DVec2::new(x, y), ..eye };
+    let mut last = eye;
+    for stop in [moved(0.0, 10.0), moved(7.3, 10.0), moved(7.3, -3.0), moved(0.0, 10.0)] {
+        assert_eq!(sea.bring(&mut map, now, &stop), 1, "time stands still: one step that takes no time");
+        last = stop;
+    }
+    for (level, start) in start.iter().enumerate() {
+        let here = sea.foam(&map, level);
+        // What every square on the way has held.
+        let reach = |at: &FoamEye, [x, y]: [i32; 2]| {
+            let [ex, ey] = at.texel(level).0;
+            (-TEXELS / 2..TEXELS / 2).contains(&(x - ex)) && (-TEXELS / 2..TEXELS / 2).contains(&(y - ey))
+        };
+        let stops = [eye, moved(0.0, 10.0), moved(7.3, 10.0), moved(7.3, -3.0)];
+        let (mut known, mut foamy, mut fresh) = (0, 0, 0);
+        for (world, slot) in texels(&last, level) {
+            if stops.iter().all(|stop| reach(stop, world)) {
+                known += 1;
+                foamy += usize::from(start[slot] > 0.1);
+                // A step that takes no time copies each value. The bound is that of a 16-bit map, rounded to in each of four.
+                let error = (here[slot] - start[slot]).abs();
+                assert!(
+                    error <= 4.0 * 2f32.powi(-10) * start[slot],
+                    "level {level} {world:?}: {} was {}",
+                    here[slot],
+                    start[slot]
+                );
+            } else {
+                fresh += 1;
+            }
+        }
+        println!("level {level}: {known} texels known, {foamy} white, {fresh} new");
+        assert!(known > 40_000 && foamy > 500, "level {level}: {known}, {foamy}");
+        assert!(fresh > 0, "level {level}: the eye has moved");
+    }
+}
+
+#[test]
+fn a_replay_makes_the_foam_that_time_would_have_made() {
+    let sea = Sea::new(&blown(16.0));
+    let (now, eye) = (waves::ticks_from_unix(NOON), sea.frame.foam_eye);
+    let all = |map: &Map| -> Vec<Vec<f32>> { (0..LEVELS).map(|level| sea.foam(map, level)).collect() };
+    let mut map = sea.own_map();
+    let steps = sea.bring(&mut map, now, &eye);
+    let replayed = all(&map);
+    // Again, on a map of its own: to the last bit.
+    let mut again = sea.own_map();
+    assert_eq!(sea.bring(&mut again, now, &eye), steps);
+    assert!(all(&again) == replayed, "two replays differ");
+    // A jump of an hour and back: no history is left, so it is rebuilt.
+    assert!(sea.bring(&mut again, now + ticks(3600.0), &eye) > 10);
+    let later = all(&again);
+    assert!(sea.bring(&mut again, now, &eye) > 10);
+    assert!(all(&again) == replayed, "a jump leaves traces");
+    // In frames of 1/8 s, from further back than a replay goes.
+    let mut run = sea.own_map();
+    for frame in (0..=120u64).rev() {
+        let instant = now - frame * ticks(0.125);
+        sea.run(instant);
+        sea.step(&mut run, instant, &eye);
+    }
+    for (level, (run, replayed)) in all(&run).iter().zip(&replayed).enumerate() {
+        let (difference, alike) = (mean(replayed) / mean(run) - 1.0, correlation(run, replayed));
+        let other = correlation(&later[level], replayed);
+        println!(
+            "level {level}: {:+.1} %, correlation {alike:.3}, with another hour's {other:.3}; {steps} steps",
+            100.0 * difference
+        );
+        // It forgets e⁻³ = 5 %. Its steps of 1/4 s meet by chance the crests of level 0, which break for some 0.15 s: two in five are
+        // missed, the others count more, and half as much again where crests break longer than that.
+        assert!(difference.abs() < 0.12, "level {level}: {difference}");
+        assert!(alike > if level == 0 { 0.85 } else { 0.95 }, "level {level}: {alike}");
+        assert!(other.abs() < 0.3, "level {level}: foam of another hour correlates by {other}");
+    }
+}

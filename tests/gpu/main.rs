@@ -1,0 +1,20 @@
+//! What the GPU computes, pass by pass and shader by shader, without a picture.
+
+mod bisection;
+mod ensemble;
+mod exact;
+mod far_sea;
+mod fft;
+mod foam_coverage;
+mod foam_history;
+mod foam_lace;
+mod foam_map;
+mod kernel;
+mod pool;
+mod precision;
+mod shaders;
+mod slope_moments;
+mod surface_sample;
+mod water;
+mod wave_anchors;
+mod wave_domain;

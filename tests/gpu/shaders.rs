@@ -1,0 +1,222 @@
+//! Every shader is valid WGSL for naga within the default limits, and what Rust and WGSL share is equal on both sides.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use ocean_globe::gpu::{mips, shader};
+use ocean_globe::model::wave_domain;
+use ocean_globe::pass::fft::Precision;
+use ocean_globe::pass::{bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
+use ocean_globe::scene::frame::bisection::Bisection;
+use ocean_globe::scene::frame::uniform;
+use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
+
+/// Every composed shader with the file that it comes from.
+fn all() -> Vec<(&'static str, String)> {
+    let sizes =
+        (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
+    let mut all = vec![
+        ("bisect.wgsl", bisect::source()),
+        ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
+        ("foam.wgsl", foam::source()),
+        ("land.wgsl", land::source()),
+        ("mips.wgsl", mips::source("rgba16float")),
+        ("ocean.wgsl", ocean::source()),
+        ("perlin.wgsl", perlin::source()),
+        ("sky.wgsl", sky::source()),
+        ("sky_table.wgsl", sky_table::source()),
+        ("tonemap.wgsl", tonemap::source()),
+    ];
+    all.extend(sizes);
+    all
+}
+
+fn parsed(name: &str, source: &str) -> naga::Module {
+    naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)))
+}
+
+fn files(folder: &str) -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let names = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.ends_with(".wgsl")).collect()
+}
+
+#[test]
+fn every_shader_is_valid_within_the_default_limits() {
+    let all = all();
+    // For the browser's compiler, which is stricter: tests/browser/shaders.test.mjs.
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("shaders");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    for (number, (name, source)) in all.iter().enumerate() {
+        std::fs::write(folder.join(format!("{number:02}-{name}")), source).unwrap();
+        let module = parsed(name, source);
+        // pack2x16float is in every WGSL; naga asks for it because OpenGL ES 2 has none.
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32);
+        validator.validate(&module).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)));
+        assert!(!module.entry_points.is_empty(), "{name} has no entry point");
+        let mut layouter = naga::proc::Layouter::default();
+        layouter.update(module.to_ctx()).unwrap();
+        let shared = module.global_variables.iter().filter(|(_, v)| v.space == naga::AddressSpace::WorkGroup);
+        let bytes: u32 = shared.map(|(_, v)| layouter[v.ty].size).sum();
+        assert!(bytes <= 16_384, "{name}: {bytes} bytes of workgroup memory");
+        for entry in &module.entry_points {
+            assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{name}: {}", entry.name);
+        }
+    }
+    let covered: BTreeSet<String> = all.iter().map(|(name, _)| (*name).to_string()).collect();
+    assert_eq!(covered, files("shaders"), "a shader file is not in the list above");
+    let libraries: BTreeSet<String> = shader::LIBRARY.iter().map(|(name, _)| format!("{name}.wgsl")).collect();
+    assert_eq!(libraries, files("shaders/lib"), "a library is not registered");
+}
+
+/// Names and offsets of a WGSL struct's members, and its size, bytes.
+fn layout(source: &str, name: &str) -> (Vec<(String, usize)>, usize) {
+    let module = parsed(name, source);
+    let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).expect(name);
+    let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{name} is no struct") };
+    (members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect(), *span as usize)
+}
+
+/// Compares a Rust struct with a WGSL one: the same members, in order, at the same offsets, and the same size.
+macro_rules! assert_mirror {
+    ($source:expr, $wgsl:literal, $rust:ty, [$($field:ident),* $(,)?]) => {{
+        let (wgsl, span) = layout(&$source, $wgsl);
+        let rust = vec![$((stringify!($field).to_string(), std::mem::offset_of!($rust, $field))),*];
+        assert_eq!(wgsl, rust, "{}", $wgsl);
+        assert_eq!(span, size_of::<$rust>(), "size of {}", $wgsl);
+    }};
+}
+
+#[test]
+fn structs_have_the_same_members_at_the_same_places() {
+    for (name, members, size) in [
+        ("Frame", uniform::FrameUniform::MEMBERS, size_of::<uniform::FrameUniform>()),
+        ("WaveNode", uniform::WaveNode::MEMBERS, size_of::<uniform::WaveNode>()),
+        ("WaveAnchor", uniform::WaveAnchor::MEMBERS, size_of::<uniform::WaveAnchor>()),
+        ("FoamLevel", uniform::FoamLevel::MEMBERS, size_of::<uniform::FoamLevel>()),
+    ] {
+        let (found, span) = layout(&ocean::source(), name);
+        let declared: Vec<_> = members.iter().map(|&(member, offset)| (member.to_string(), offset)).collect();
+        assert_eq!(found, declared, "{name}");
+        assert_eq!(span, size, "size of {name}");
+    }
+    assert_mirror!(
+        foam::source(),
+        "FoamStep",
+        foam_history::FoamStep,
+        [previous, grow, keep, empty, cells, unused_a, unused_b]
+    );
+    let block = [ocean::source(), bisect::source()];
+    for source in block {
+        assert_mirror!(
+            source,
+            "Bisection",
+            Bisection,
+            [
+                foot,
+                target_pixels,
+                fraction,
+                budget,
+                point,
+                inverse_length,
+                local_from_x,
+                unused_a,
+                local_from_y,
+                unused_b,
+                local_from_z,
+                unused_c,
+            ]
+        );
+    }
+    assert_mirror!(
+        bisect::source(),
+        "State",
+        bisect::State,
+        [
+            vertices,
+            instances,
+            first_vertex,
+            first_instance,
+            live,
+            wanted_slots,
+            growth,
+            taken,
+            merging,
+            coarseness,
+            acceptance,
+            updates,
+            last_growth,
+            last_merged,
+            unused_a,
+            unused_b,
+        ]
+    );
+    // The sea reads the accounts as an array of floats.
+    let coarseness = std::mem::offset_of!(bisect::State, coarseness) / 4;
+    assert_eq!(constant(&ocean::source(), "COARSENESS"), coarseness as f64);
+    assert_mirror!(
+        fft::source(64, Precision::Half),
+        "Evolution",
+        fft::Evolution,
+        [ticks, cascade_count, sharpened, patches, scales]
+    );
+    assert_mirror!(
+        perlin::source(),
+        "PerlinSettings",
+        perlin::PerlinSettings,
+        [octaves, patch_length, seed, peak_cells, unused,]
+    );
+}
+
+/// The value of a module constant, which must be a literal.
+fn constant(source: &str, name: &str) -> f64 {
+    let module = parsed(name, source);
+    let (_, found) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name);
+    match module.global_expressions[found.init] {
+        naga::Expression::Literal(naga::Literal::U32(x)) => f64::from(x),
+        naga::Expression::Literal(naga::Literal::I32(x)) => f64::from(x),
+        naga::Expression::Literal(naga::Literal::F32(x)) => f64::from(x),
+        ref other => panic!("{name} is {other:?}"),
+    }
+}
+
+#[test]
+fn constants_are_equal_on_both_sides() {
+    let ocean = ocean::source();
+    let land = land::source();
+    assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
+    assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
+    assert_eq!(constant(&ocean, "TILES"), wave_domain::TILES as f64);
+    assert_eq!(constant(&ocean, "PERLIN_TILE"), wave_domain::PERLIN_TILE as f64);
+    assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
+    assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
+    assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
+    assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
+    assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
+    assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
+    assert_eq!(constant(&perlin::source(), "SIDE"), f64::from(perlin::SIDE));
+    assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);
+    assert_eq!(constant(&ocean, "FOAM_LEVELS"), scene_foam::LEVELS as f64);
+    assert_eq!(constant(&ocean, "FOAM_TEXELS"), f64::from(scene_foam::TEXELS));
+    let shortest = ocean_globe::model::foam::SHORTEST_TILE_TEXELS;
+    assert_eq!(constant(&foam::source(), "SHORTEST_TILE_TEXELS"), shortest);
+    assert_eq!(constant(&ocean, "NEAR"), f64::from(uniform::NEAR_M as f32));
+    let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
+    assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));
+    let sine = ocean_globe::data::tile::POLAR_LATITUDE_DEG.to_radians().sin();
+    assert_eq!(constant(&ocean, "POLAR_SIN_LAT"), f64::from(sine as f32));
+    for (name, output) in [
+        ("PICTURE", uniform::Output::Picture),
+        ("LONLAT", uniform::Output::LonLat),
+        ("DEPTH", uniform::Output::Depth),
+        ("MASK", uniform::Output::Mask),
+        ("HEIGHT", uniform::Output::Height),
+        ("NORMAL", uniform::Output::Normal),
+        ("CLASS", uniform::Output::Class),
+        ("PERLIN_WEIGHT", uniform::Output::PerlinWeight),
+    ] {
+        assert_eq!(constant(&ocean, name), f64::from(output as u32), "{name}");
+    }
+}

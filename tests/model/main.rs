@@ -1,0 +1,21 @@
+//! The science on its own: nothing here opens a file of the world or asks for a device.
+
+mod beach;
+mod dispersion;
+mod ensemble;
+mod floors;
+mod foam;
+mod geodesy;
+mod mistakes;
+mod mistakes_surface;
+mod noise;
+mod optics;
+mod oracle_sea;
+mod same_sea;
+mod sea_bed;
+mod sea_state;
+mod seas;
+mod spectra_oracles;
+mod spectrum;
+mod sun;
+mod waves;

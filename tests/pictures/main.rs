@@ -1,0 +1,13 @@
+//! Whole pictures, the commands that make them, and the window.
+
+mod bench;
+mod flight;
+mod horizon;
+mod luminance;
+mod meshes;
+mod ride;
+mod sheets;
+mod sweep;
+mod views;
+mod window;
+mod world_in_view;
