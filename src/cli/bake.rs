@@ -14,11 +14,12 @@ mod water;
 mod water_tile;
 
 use super::bar;
-use crate::data::netcdf::{NetCdf, Variable};
+use crate::data::netcdf::NetCdf;
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::archive_name;
 use crate::error::{Error, Result};
+use netcdf_reader::NcVariable;
 use std::path::{Path, PathBuf};
 
 /// Metres of one degree of the equator.
@@ -168,12 +169,12 @@ struct Axis {
 }
 
 /// The latitudes and longitudes of a two-dimensional variable; longitudes must grow.
-fn axes(file: &mut NetCdf, variable: &Variable) -> Result<(Axis, Axis)> {
-    let mut axis = |place: usize| {
-        let name = file.dimensions()[variable.dimensions[place]].name.clone();
-        let coordinates = file.variable(&name)?.clone();
-        let count = file.shape(&coordinates).first().copied().unwrap_or(0);
-        let values = file.read_row(&coordinates, &[0], count)?;
+fn axes(file: &NetCdf, variable: &NcVariable) -> Result<(Axis, Axis)> {
+    let axis = |place: usize| {
+        let name = &variable.dimensions[place].name;
+        let coordinates = file.variable(name)?;
+        let count = coordinates.dimensions.first().map_or(0, |dimension| dimension.size);
+        let values = file.read_row(coordinates, &[0], count)?;
         let bad = || Error::bad_data(file.name(), format!("has no even coordinates `{name}`"), "resample it");
         let (Some(first), Some(last), true) = (values.first(), values.last(), count >= 2) else { return Err(bad()) };
         let step = (last - first) / (count - 1) as f64;

@@ -1,26 +1,17 @@
-//! netCDF-3 files (CDF-1 and CDF-2, "classic"), read row by row so that a raster of any size takes little memory.
-//!
-//! Format: <https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html>. Numbers are big-endian.
-//! `scale_factor`, `add_offset`, `_FillValue` and `missing_value` are applied.
-
-mod header;
+//! netCDF-3 files (CDF-1, CDF-2, CDF-5), read row by row so that a raster of any size takes little memory: the crate `netcdf-reader`
+//! with this project's errors, which name the file and the remedy.
 
 use crate::error::{Error, Result};
-pub use header::{Attribute, Dimension, Type, Variable};
-use std::fs::File;
-use std::io::{BufReader, Read as _, Seek as _, SeekFrom};
+use netcdf_reader::{NcFile, NcReadable, NcSliceInfo, NcSliceInfoElem, NcVariable};
 use std::path::Path;
 
-/// The largest piece read at once, bytes.
-const MAX_READ: u64 = 1 << 30;
+/// The largest row read at once, values.
+const LONGEST_ROW: u64 = 1 << 27;
 
-/// An open netCDF-3 file.
-#[derive(Debug)]
+/// An open netCDF-3 file. It must not change while it is open.
 pub struct NetCdf {
     name: String,
-    file: BufReader<File>,
-    length: u64,
-    header: header::Header,
+    file: NcFile,
 }
 
 impl NetCdf {
@@ -31,12 +22,17 @@ impl NetCdf {
     /// with `nccopy -k classic`).
     pub fn open(path: &Path) -> Result<Self> {
         let name = path.display().to_string();
-        let failed = |e| Error::io(&name, e, "check the path and its permissions");
-        let file = File::open(path).map_err(failed)?;
-        let length = file.metadata().map_err(failed)?.len();
-        let mut file = BufReader::with_capacity(1 << 16, file);
-        let header = header::read(&name, &mut file, length)?;
-        Ok(Self { name, file, length, header })
+        let file = NcFile::open(path).map_err(|why| {
+            use netcdf_reader::Error::{InvalidMagic, Io, Nc4NotEnabled, UnexpectedEof, UnsupportedVersion};
+            let why = match why {
+                Io(why) => return Error::io(&name, why, "check the path and its permissions"),
+                InvalidMagic | UnsupportedVersion(_) | Nc4NotEnabled => "is no netCDF-3 file".to_owned(),
+                UnexpectedEof { .. } => "ends within its header".to_owned(),
+                why => why.to_string(),
+            };
+            Error::bad_data(&name, why, "give a netCDF-3 file; `nccopy -k classic` makes one of netCDF-4")
+        })?;
+        Ok(Self { name, file })
     }
 
     /// The file, for messages.
@@ -44,90 +40,65 @@ impl NetCdf {
         &self.name
     }
 
-    /// The dimensions; the record dimension with its current length.
-    pub fn dimensions(&self) -> &[Dimension] {
-        &self.header.dimensions
-    }
-
     /// The variables.
-    pub fn variables(&self) -> &[Variable] {
-        &self.header.variables
-    }
-
-    /// The global attributes.
-    pub fn attributes(&self) -> &[Attribute] {
-        &self.header.attributes
+    pub fn variables(&self) -> &[NcVariable] {
+        self.file.variables().unwrap_or_default()
     }
 
     /// A variable by its name.
     ///
     /// # Errors
     /// [`Error::BadData`] naming the variables that there are.
-    pub fn variable(&self, name: &str) -> Result<&Variable> {
+    pub fn variable(&self, name: &str) -> Result<&NcVariable> {
         self.variables().iter().find(|v| v.name == name).ok_or_else(|| {
             let known: Vec<_> = self.variables().iter().map(|v| v.name.as_str()).collect();
             Error::bad_data(&self.name, format!("has no variable `{name}`"), format!("it has {}", known.join(", ")))
         })
     }
 
-    /// The lengths of a variable's dimensions.
-    pub fn shape(&self, variable: &Variable) -> Vec<u64> {
-        variable.dimensions.iter().map(|d| self.header.dimensions[*d].length).collect()
-    }
-
-    /// `count` values of a variable along its last dimension, from the position `start` (one index per dimension).
-    /// Missing values are NaN; scale and offset are applied.
+    /// `count` values of a variable along its last dimension, from the position `start` (one index per dimension). Missing values
+    /// are NaN; scale and offset are applied.
     ///
     /// # Errors
-    /// [`Error::BadData`] outside the variable, or where the file ends before; [`Error::Io`].
-    pub fn read_row(&mut self, variable: &Variable, start: &[u64], count: u64) -> Result<Vec<f64>> {
-        let bytes = self.read_row_bytes(variable, start, count)?;
-        let unpack = Unpacking::of(variable);
-        let values = bytes.chunks_exact(variable.kind.size() as usize).map(|b| unpack.value(variable.kind.number(b)));
-        Ok(values.collect())
+    /// [`Error::BadData`] outside the variable, or where the file ends before.
+    pub fn read_row(&self, variable: &NcVariable, start: &[u64], count: u64) -> Result<Vec<f64>> {
+        let row = self.row(variable, start, count)?;
+        let values = self.file.read_variable_slice_unpacked_masked(&variable.name, &row);
+        values.map(|values| values.into_iter().collect()).map_err(|why| self.damaged(variable, why))
     }
 
-    /// As [`NetCdf::read_row`], the bytes as they are stored.
+    /// As [`NetCdf::read_row`], the numbers as they are stored.
     ///
     /// # Errors
-    /// As for [`NetCdf::read_row`].
-    pub fn read_row_bytes(&mut self, variable: &Variable, start: &[u64], count: u64) -> Result<Vec<u8>> {
-        let outside = || {
+    /// As for [`NetCdf::read_row`], and where they are of another type.
+    pub fn read_stored_row<T: NcReadable>(&self, variable: &NcVariable, start: &[u64], count: u64) -> Result<Vec<T>> {
+        let row = self.row(variable, start, count)?;
+        let values = self.file.read_variable_slice::<T>(&variable.name, &row);
+        values.map(|values| values.into_iter().collect()).map_err(|why| self.damaged(variable, why))
+    }
+
+    fn damaged(&self, variable: &NcVariable, why: netcdf_reader::Error) -> Error {
+        let why = match why {
+            netcdf_reader::Error::UnexpectedEof { .. } => format!("ends before the values of `{}`", variable.name),
+            why => format!("has unreadable values of `{}`: {why}", variable.name),
+        };
+        Error::bad_data(&self.name, why, "it is cut short or damaged: get it again")
+    }
+
+    /// The part of a variable that a row is, where it has such a row.
+    fn row(&self, variable: &NcVariable, start: &[u64], count: u64) -> Result<NcSliceInfo> {
+        let sizes: Vec<u64> = variable.dimensions.iter().map(|d| d.size).collect();
+        let holds = || {
+            let (last, others) = start.split_last()?;
+            let end = last.checked_add(count).filter(|end| Some(end) <= sizes.last() && count <= LONGEST_ROW)?;
+            let outside = start.len() != sizes.len() || others.iter().zip(&sizes).any(|(at, size)| at >= size);
+            let row = NcSliceInfoElem::Slice { start: *last, end, step: 1 };
+            let selections = others.iter().map(|at| NcSliceInfoElem::Index(*at)).chain([row]).collect();
+            (!outside).then_some(NcSliceInfo { selections })
+        };
+        holds().ok_or_else(|| {
             let why = format!("has no values {start:?} + {count} in `{}`", variable.name);
             Error::bad_data(&self.name, why, "the file is damaged or not the one that was meant")
-        };
-        let shape = self.shape(variable);
-        let bytes = count.checked_mul(variable.kind.size()).filter(|n| *n <= MAX_READ).ok_or_else(outside)?;
-        let offset = self.header.offset(variable, &shape, start, count).ok_or_else(outside)?;
-        if offset.checked_add(bytes).is_none_or(|end| end > self.length) {
-            let why = format!("ends before the values of `{}`", variable.name);
-            return Err(Error::bad_data(&self.name, why, "it is cut short: get it again"));
-        }
-        let failed = |e| Error::io(&self.name, e, "check the file");
-        let mut buffer = vec![0; bytes as usize];
-        self.file.seek(SeekFrom::Start(offset)).map_err(failed)?;
-        self.file.read_exact(&mut buffer).map_err(failed)?;
-        Ok(buffer)
-    }
-}
-
-/// How stored numbers become values.
-struct Unpacking {
-    scale: f64,
-    offset: f64,
-    missing: [Option<f64>; 2],
-}
-
-impl Unpacking {
-    fn of(variable: &Variable) -> Self {
-        Self {
-            scale: variable.number("scale_factor").unwrap_or(1.0),
-            offset: variable.number("add_offset").unwrap_or(0.0),
-            missing: [variable.number("_FillValue"), variable.number("missing_value")],
-        }
-    }
-
-    fn value(&self, stored: f64) -> f64 {
-        if self.missing.contains(&Some(stored)) { f64::NAN } else { stored * self.scale + self.offset }
+        })
     }
 }

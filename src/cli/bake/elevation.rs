@@ -53,14 +53,14 @@ impl Elevation {
     }
 
     fn read(path: &Path) -> Result<Self> {
-        let mut file = NetCdf::open(path)?;
+        let file = NetCdf::open(path)?;
         let name = file.name().to_owned();
         let bad = |why: String| {
             Error::bad_data(&name, why, "give a global grid of metres, latitude by longitude, from pole to pole")
         };
-        let variable = (file.variables().iter().find(|v| v.dimensions.len() == 2).cloned())
+        let variable = (file.variables().iter().find(|v| v.dimensions.len() == 2))
             .ok_or_else(|| bad("has no variable of latitude and longitude".into()))?;
-        let (lat, lon) = super::axes(&mut file, &variable)?;
+        let (lat, lon) = super::axes(&file, variable)?;
         let step_deg = lat.step.abs();
         let around = (360.0 / lon.step).round();
         let poles = [lat.first, lat.first + lat.step * (lat.count - 1) as f64];
@@ -76,7 +76,7 @@ impl Elevation {
         let (width, height) = (around as usize, lat.count as usize);
         let mut ground = vec![0.0; width * height];
         for row in 0..height {
-            let values = file.read_row(&variable, &[row as u64, 0], width as u64)?;
+            let values = file.read_row(variable, &[row as u64, 0], width as u64)?;
             if let Some(column) = values.iter().position(|v| v.is_nan() || v.abs() > HIGHEST_M) {
                 return Err(bad(format!("has the elevation {} at row {row}, column {column}", values[column])));
             }

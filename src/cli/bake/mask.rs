@@ -2,9 +2,10 @@
 //!
 //! Only a window of full rows is ever in memory, plus one copy of the world reduced by [`REDUCTION`] per axis.
 
-use crate::data::netcdf::{NetCdf, Variable};
+use crate::data::netcdf::NetCdf;
 use crate::data::water::WaterClass;
 use crate::error::{Error, Result};
+use netcdf_reader::{NcType, NcVariable};
 use std::path::Path;
 
 /// Cells along each axis that make one cell of the reduced world.
@@ -14,7 +15,7 @@ pub const MIXED: u8 = 0x80;
 
 struct Band {
     file: NetCdf,
-    variable: Variable,
+    variable: NcVariable,
 }
 
 /// The mask as one raster: rows from south to north, columns from `west_deg` eastwards.
@@ -39,15 +40,15 @@ impl Mask {
             Self { bands: Vec::new(), rows: Vec::new(), width: 0, west_deg: 0.0, south_deg: 0.0, step_deg: 0.0 };
         let mut filled: Vec<Option<(usize, u64)>> = Vec::new();
         for path in paths {
-            let mut file = NetCdf::open(path.as_ref())?;
+            let file = NetCdf::open(path.as_ref())?;
             let name = file.name().to_owned();
             let bad = |why: String| Error::bad_data(&name, why, "make the bands with scripts/make-world.sh");
             let variable = (file.variables().iter().find(|v| v.dimensions.len() == 2).cloned())
                 .ok_or_else(|| bad("has no variable of latitude and longitude".into()))?;
-            if variable.kind.size() != 1 {
-                return Err(bad(format!("stores `{}` as {:?}, not as bytes", variable.name, variable.kind)));
+            if variable.dtype != NcType::Byte {
+                return Err(bad(format!("stores `{}` as {:?}, not as bytes", variable.name, variable.dtype)));
             }
-            let (lat_deg, lon_deg) = super::axes(&mut file, &variable)?;
+            let (lat_deg, lon_deg) = super::axes(&file, &variable)?;
             let step_deg = lon_deg.step;
             let around = (360.0 / step_deg).round();
             if (around * step_deg - 360.0).abs() > 1e-3 * step_deg * around.sqrt() || lon_deg.count < around as u64 {
@@ -109,8 +110,8 @@ impl Mask {
     fn rows(&mut self, first: usize, end: usize) -> Result<Raster> {
         let mut cells = Vec::with_capacity((end - first) * self.width);
         for (band, row) in &self.rows[first..end] {
-            let Band { file, variable } = &mut self.bands[*band];
-            let bytes = file.read_row_bytes(variable, &[*row, 0], self.width as u64)?;
+            let Band { file, variable } = &self.bands[*band];
+            let bytes = file.read_stored_row::<i8>(variable, &[*row, 0], self.width as u64)?;
             for byte in bytes {
                 cells.push(match byte {
                     0 => WaterClass::Ocean as u8,

@@ -1,5 +1,11 @@
 //! The `key=value` pairs of a fragment: whose a pair is, and percent-encoding.
 
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
+
+/// What is escaped in keys and values.
+const ESCAPED: &AsciiSet =
+    &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b'~').remove(b'@').remove(b':').remove(b',');
+
 /// The key under which a MapLibre hash, which has none, is handed on.
 pub const MAP_HASH: &str = "/";
 
@@ -28,28 +34,10 @@ fn is_map_hash(text: &str) -> bool {
 
 /// Percent-decodes; a `%` without two digits stays, and so does a `+`.
 pub fn decode(text: &str) -> String {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let Some((&first, tail)) = rest.split_first() {
-        let digit = |at: usize| tail.get(at).and_then(|&byte| (byte as char).to_digit(16));
-        match (first, digit(0), digit(1)) {
-            (b'%', Some(high), Some(low)) => {
-                bytes.push((high * 16 + low) as u8);
-                rest = &tail[2..];
-            }
-            _ => {
-                bytes.push(first);
-                rest = tail;
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
+    percent_decode_str(text).decode_utf8_lossy().into_owned()
 }
 
 /// Percent-encodes everything that could end a key or break an address.
 pub fn encode(text: &str) -> String {
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~@:,".contains(&byte);
-    let encoded =
-        text.bytes().map(|byte| if plain(byte) { (byte as char).to_string() } else { format!("%{byte:02X}") });
-    encoded.collect()
+    utf8_percent_encode(text, ESCAPED).to_string()
 }
