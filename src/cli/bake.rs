@@ -8,12 +8,11 @@ mod distance;
 mod elevation;
 mod grid;
 mod mask;
-mod parallel;
 mod terrain;
 mod water;
 mod water_tile;
 
-use super::bar;
+use super::progress::bar;
 use crate::data::netcdf::NetCdf;
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::tile::{Layer, Projection};

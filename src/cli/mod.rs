@@ -2,7 +2,7 @@
 
 pub mod bake;
 pub mod bench;
-pub mod flight;
+pub mod progress;
 pub mod render;
 pub mod run;
 pub mod sample;
@@ -11,8 +11,7 @@ pub mod serve;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
-use render::RenderArgs;
+use render::command::{self, RenderArgs};
 
 use crate::error::Result;
 
@@ -34,17 +33,9 @@ enum Command {
     Bake(bake::BakeArgs),
 }
 
-/// A progress bar on the terminal.
-fn bar(what: &str, length: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:32} {wide_bar} {pos}/{len} {elapsed}");
-    ProgressBar::new(length as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-        .with_message(what.to_owned())
-}
-
 fn run(command: &Command) -> Result<()> {
     match command {
-        Command::Render(args) => render::run(args),
+        Command::Render(args) => command::run(args),
         Command::Sample(args) => sample::sample(args).map(|found| println!("{found:#}")),
         Command::Serve(args) => serve::run(args),
         Command::Run(args) => run::run(args),

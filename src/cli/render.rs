@@ -1,9 +1,8 @@
-//! `ocean-globe render`: a picture, a measured layer or a flight's pictures, without a window.
+//! Pictures and measured layers without a window; [`command`] is `ocean-globe render`, [`flight`] its pictures of a flight.
 
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 
 use crate::data::world::World;
 use crate::error::{Error, Result};
@@ -12,45 +11,8 @@ use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
 use crate::scene::view::state::ViewState;
 
-/// Draw a view into a PNG, a flight into numbered PNGs, or measure a view into a NumPy array.
-#[derive(Args, Debug)]
-#[command(after_help = "Examples:
-  ocean-globe render --state '#view=38.5,-28.6,560,300,78&wind=12@240&time=2026-06-21T15:00:00Z' -o sea.png
-  ocean-globe render --state '#view=20,-30,2e7' --size 1024x1024 -o globe.png
-  ocean-globe render --state '#view=38.5,-28.6,560,300,78' --layer depth -o depth.npy
-  ocean-globe render --flight globe gale --frames 300 --size 1920x1080 -o flight
-  ocean-globe render --flight '#view=28,-14,3e7&bft=8&time=2026-11-20T12:00:00Z&rate=0' '#view=28.8545,-13.792,2,253,80' -o dive
-  ffmpeg -framerate 30 -i flight/%05d.png -pix_fmt yuv420p flight.mp4     makes a film of a flight
-
-A flight rises and falls in an arc. Sea and clock are those of its first view: the clock runs from that view's time at that view's
-rate, --fps frames to the second; rate=0 stands still. Given again, the command draws only the frames that are missing or damaged; a
-folder with the frames of another flight, size or version is refused. flight.json in it says what the frames show.")]
-pub struct RenderArgs {
-    /// The view: a link's fragment, as the page's address shows it.
-    #[arg(long, default_value = "")]
-    pub state: String,
-    /// Fly from one view to another: ids of named views (globe, ocean, islands, coast, calm, breeze, gale, hurricane) or fragments.
-    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], conflicts_with_all = ["state", "layer"])]
-    pub flight: Option<Vec<String>>,
-    /// Pictures of a flight.
-    #[arg(long, default_value_t = 300, requires = "flight", value_parser = clap::value_parser!(u32).range(2..=99_999))]
-    pub frames: u32,
-    /// Pictures of a flight in a second.
-    #[arg(long, default_value_t = 30.0, requires = "flight")]
-    pub fps: f64,
-    /// Width and height in pixels.
-    #[arg(long, default_value = "1280x720")]
-    pub size: String,
-    /// What to write instead of the picture.
-    #[arg(long, value_enum)]
-    pub layer: Option<LayerName>,
-    /// The file to write: .png for a picture, .npy for a layer; of a flight the folder.
-    #[arg(short, long)]
-    pub output: PathBuf,
-    /// The folder of the world's archives.
-    #[arg(long, default_value = "www/data")]
-    pub data: String,
-}
+pub mod command;
+pub mod flight;
 
 /// A measured layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -274,29 +236,4 @@ pub fn write_npy(path: &std::path::Path, measured: &Measured) -> Result<()> {
         bytes.extend(measured.values.iter().flat_map(|&v| (v as f32).to_le_bytes()));
     }
     std::fs::write(path, bytes).map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))
-}
-
-/// Runs the command.
-///
-/// # Errors
-/// What was wrong with the options, the data or the device.
-pub fn run(args: &RenderArgs) -> Result<()> {
-    if let Some(ends) = &args.flight {
-        return super::flight::run(args, ends);
-    }
-    let (state, size) = (parse_state(&args.state)?, parse_size(&args.size)?);
-    let wanted = if args.layer.is_some() { "npy" } else { "png" };
-    if args.output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case(wanted)) {
-        return Err(Error::bad_value("output", args.output.display(), format!("name a file that ends in .{wanted}")));
-    }
-    match args.layer {
-        None => {
-            let mut renderer = headless(&args.data, Radiance::Half)?;
-            write_png(&args.output, size, &picture(&mut renderer, &state, size)?)
-        }
-        Some(layer) => {
-            let mut renderer = headless(&args.data, Radiance::Single)?;
-            write_npy(&args.output, &measure(&mut renderer, &state, size, layer)?)
-        }
-    }
 }

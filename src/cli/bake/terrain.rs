@@ -2,12 +2,12 @@
 
 use super::elevation::Elevation;
 use super::mask::Raster;
-use super::parallel::map_in_order;
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::terrarium;
 use crate::data::tile::{Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::data::water::WaterClass;
 use crate::error::Result;
+use rayon::prelude::*;
 
 /// Tiles baked at a time, 64 KiB each before they are written.
 const BATCH: usize = 64;
@@ -39,10 +39,8 @@ pub fn add_tiles(
     for z in 0..=depth.max_zoom {
         let mut next = Vec::new();
         for (batch, tiles) in level.chunks(BATCH).enumerate() {
-            let made = map_in_order(tiles, |tile| {
-                let worth_m = if z > depth.full_zoom { Some(depth.worth_m) } else { None };
-                terrain_tile(*tile, elevation, mask, worth_m)
-            });
+            let worth_m = (z > depth.full_zoom).then_some(depth.worth_m);
+            let made: Vec<_> = tiles.par_iter().map(|tile| terrain_tile(*tile, elevation, mask, worth_m)).collect();
             for (tile, bytes) in tiles.iter().zip(made) {
                 if let Some(bytes) = bytes? {
                     writer.add(z, tile.x, tile.y, &bytes)?;

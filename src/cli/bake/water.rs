@@ -1,13 +1,13 @@
 //! The water pyramids: which tiles are needed, level by level, and making them.
 
 use super::mask::{MIXED, Mask, Raster};
-use super::parallel::map_in_order;
 use super::water_tile::water_tile;
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::tile::{
     MERCATOR_LATITUDE_LIMIT, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texels_across,
 };
 use crate::error::Result;
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// A tile is needed where a shore lies in it or within this many of its texels.
@@ -47,7 +47,8 @@ pub fn add_tiles(
         for row in by_row(&level) {
             let window = window(row[0], mask, reduced)?;
             let raster = window.as_ref().unwrap_or(reduced);
-            for (tile, made) in row.iter().zip(map_in_order(&row, |tile| water_tile(*tile, raster))) {
+            let made: Vec<_> = row.par_iter().map(|tile| water_tile(*tile, raster)).collect();
+            for (tile, made) in row.iter().zip(made) {
                 let made = made?;
                 writer.add(tile.z, tile.x, tile.y, &made.bytes)?;
                 for (child, wrong_km2) in tile.children().into_iter().flatten().zip(made.wrong_km2) {

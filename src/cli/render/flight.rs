@@ -6,10 +6,11 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
+use clap::Args;
 use serde::{Deserialize, Serialize};
 
-use super::render::{headless, instant, parse_size, parse_state, picture, write_png};
-use super::{RenderArgs, bar};
+use super::{headless, instant, parse_size, parse_state, picture, write_png};
+use crate::cli::progress::bar;
 use crate::error::{Error, Result};
 use crate::renderer::Radiance;
 use crate::scene::sea::ride::surface_height;
@@ -18,6 +19,20 @@ use crate::scene::view::camera::Camera;
 use crate::scene::view::flight::Flight;
 use crate::scene::view::named::VIEWS;
 use crate::scene::view::state::ViewState;
+
+/// The options of a flight.
+#[derive(Args, Debug)]
+pub struct FlightArgs {
+    /// Fly from one view to another: ids of named views (globe, ocean, islands, coast, calm, breeze, gale, hurricane) or fragments.
+    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], conflicts_with_all = ["state", "layer"])]
+    pub flight: Option<Vec<String>>,
+    /// Pictures of a flight.
+    #[arg(long, default_value_t = 300, requires = "flight", value_parser = clap::value_parser!(u32).range(2..=99_999))]
+    pub frames: u32,
+    /// Pictures of a flight in a second.
+    #[arg(long, default_value_t = 30.0, requires = "flight")]
+    pub fps: f64,
+}
 
 /// Name of the record beside the frames.
 const RECORD: &str = "flight.json";
@@ -150,13 +165,12 @@ fn frame_name(folder: &Path, index: u32) -> PathBuf {
     folder.join(format!("{index:05}.png"))
 }
 
-/// Draws the frames that are missing.
+/// Draws the frames that are missing of a flight between two views, ids or fragments, into the folder `folder`.
 ///
 /// # Errors
 /// What was wrong with the options, the folder, the data or the device.
-pub fn run(args: &RenderArgs, ends: &[String]) -> Result<()> {
-    let [from, to] = ends else { return Err(Error::bad_value("flight", ends.join(" "), "give two views")) };
-    let (from, to, size, folder) = (end(from)?, end(to)?, parse_size(&args.size)?, &args.output);
+pub fn run(ends: [&String; 2], args: &FlightArgs, size: &str, folder: &Path, data: &str) -> Result<()> {
+    let ([from, to], size) = ([end(ends[0])?, end(ends[1])?], parse_size(size)?);
     if folder.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         return Err(Error::bad_value("output", folder.display(), "a flight is a folder of pictures: name one"));
     }
@@ -183,7 +197,7 @@ pub fn run(args: &RenderArgs, ends: &[String]) -> Result<()> {
     let missing: Vec<_> = paths.filter(|(_, path)| !is_complete(path, size)).collect();
     let kept = args.frames as usize - missing.len();
     if !missing.is_empty() {
-        let mut renderer = headless(&args.data, Radiance::Half)?;
+        let mut renderer = headless(data, Radiance::Half)?;
         let bar = bar("frames", args.frames as usize).with_position(kept as u64);
         for (index, path) in &missing {
             renderer.forget();
