@@ -110,7 +110,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let ground = ground_at(point, sin_lat, max(across, 1.0));
 
     // A bed that shows through less than 1/250 of the water needs no light; should a pixel of the sea miss, it is blue.
-    let sea_covers = ground.is_ocean && (frame.layers & 2u) != 0u;
+    let sea_covers = ground.is_ocean && (frame.layers & SHOWS_SEA) != 0u;
     if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > 0.996 {
         return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
     }

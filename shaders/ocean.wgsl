@@ -31,8 +31,8 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         let displacement = displacement_at(rest, distance, spacing);
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
-        // Shallow water holds no higher waves: Hs <= 0.5 h (surface of random waves, see physics notes in ARCHITECTURE.md).
-        let allowed = clamp(-ground.elevation * 0.5 / frame.wave_height, 0.0, 1.0);
+        // Shallow water holds no higher waves.
+        let allowed = clamp(-ground.elevation * HELD_BY_DEPTH / frame.wave_height, 0.0, 1.0);
         moved = allowed * displacement;
     }
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z);
@@ -157,7 +157,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let depth = -ground.elevation;
     let alpha = water_alpha(depth);
     let slopes = slopes_at(rest, distance, footprint);
-    let calmed = clamp(depth * 0.5 / max(frame.wave_height, 1e-3), 0.0, 1.0);
+    let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
     if frame.under_water == 1u {

@@ -1,4 +1,4 @@
-// The sky behind everything: the atmosphere seen from any height, the sun's disc, the stars' darkness.
+// The sky behind everything: the atmosphere seen from any height, the sun's disc, the faint light of the night.
 #import water
 #import output
 
@@ -17,7 +17,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
     // Below the deepest trough and the flattest triangle, land or sea covers the sky.
     let covered = shell_hits(eye_ray(direction), -500.0);
-    if (frame.layers & 3u) == 3u && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }
+    if (frame.layers & (SHOWS_LAND | SHOWS_SEA)) == (SHOWS_LAND | SHOWS_SEA) && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }
     let scattered = scatter_to_sky(direction);
     // The disc, 0.267 degrees in radius, darkened towards its limb.
     let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;

@@ -14,6 +14,7 @@ use crate::pass::sky_table::SkyTable;
 use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
+use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::ride::surface_height;
 use crate::scene::settings;
 use crate::scene::view::camera::{Camera, LOWEST_M};
@@ -168,14 +169,14 @@ impl Renderer {
         let layers = frame.uniform.layers;
         {
             let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(self.clear), None);
-            if layers & 4 != 0 {
+            if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, frame_group, surface);
             }
         }
         {
             let depth = Some(&targets.scene_depth);
             let mut pass = begin(encoder, "land", &scene, wgpu::LoadOp::Load, depth);
-            if layers & 1 != 0 {
+            if layers & SHOWS_LAND != 0 {
                 self.land.draw(&mut pass, frame_group, surface);
             }
         }
@@ -186,7 +187,7 @@ impl Renderer {
         );
         {
             let mut pass = begin(encoder, "sea", &radiance, wgpu::LoadOp::Load, Some(&targets.depth));
-            if layers & 2 != 0 {
+            if layers & SHOWS_SEA != 0 {
                 self.ocean.draw(&mut pass, frame_group, surface, self.mesh.drawn());
             }
         }

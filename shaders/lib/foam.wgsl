@@ -7,7 +7,6 @@
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
 const LACE_RAMP: f32 = 0.4;
-const FOAM_HIGHEST: Metres = 4000.0;    // eyes above this see no map
 
 // Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {

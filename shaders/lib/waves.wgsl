@@ -155,6 +155,6 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let jxx = 1.0 + gradient.x;
     let jyy = 1.0 + gradient.y;
     let fold = jxx * jyy - gradient.z * gradient.z;
-    let true_slope = vec2f(jyy * slope.x - gradient.z * slope.y, jxx * slope.y - gradient.z * slope.x) / max(fold, 0.25);
+    let true_slope = vec2f(jyy * slope.x - gradient.z * slope.y, jxx * slope.y - gradient.z * slope.x) / max(fold, LEAST_JACOBIAN);
     return Slopes(true_slope, rough, fold);
 }

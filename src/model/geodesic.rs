@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 ///
 /// [Vincenty's inverse series](crate::bibliography::Vincenty1975): good to about 0.1 mm on the earth wherever it converges
 /// ([Karney](crate::bibliography::Karney2013), section 1). It does not converge within about half a degree of the antipode,
-/// where a scale bar has no business either.
+/// farther than any scale bar reaches.
 ///
 /// # Errors
 /// [`Error::BadValue`] for angles that are not finite and for nearly antipodal places.

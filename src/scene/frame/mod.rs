@@ -15,7 +15,7 @@ use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
 use crate::scene::sea::ride::surface_height;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
-use uniform::{FoamLevel, WaveNode};
+use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveNode};
 pub use uniform::{FrameUniform, NEAR_M, Output};
 
 pub mod bisection;
@@ -116,7 +116,7 @@ impl Frame {
         self.uniform.mix_near < NEVER_M
     }
 
-    /// The share of the time that goes by in scene seconds is none of the frame's business; this is the instant in wave ticks.
+    /// The frame's instant in ticks of the wave clock, see [`crate::model::waves::TICKS_PER_SECOND`].
     pub fn ticks(&self) -> u64 {
         crate::model::waves::ticks_from_unix(self.unix_seconds)
     }
@@ -227,7 +227,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.perlin_spacing = wave_domain::spacing_m(sea.perlin.patch_m) as f32;
     u.cascade_count = sea.cascades.len() as u32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
-    u.layers = shows(Layer::Land, 1) | shows(Layer::Sea, 2) | shows(Layer::Sky, 4);
+    u.layers = shows(Layer::Land, SHOWS_LAND) | shows(Layer::Sea, SHOWS_SEA) | shows(Layer::Sky, SHOWS_SKY);
     let slopes = sea.cascade_slopes.map(|slopes| DVec2::from(slopes).as_vec2());
     u.cascade_slopes = [0, 2].map(|i| Vec4::from((slopes[i], slopes[i + 1])));
     u.below_slopes = DVec2::from(sea.below_slopes).as_vec2();

@@ -8,9 +8,27 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::wave_domain::TILES;
 use crate::scene::sea::foam;
+use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 
 /// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
 pub const NEAR_M: f64 = 0.1;
+
+/// Bits of [`FrameUniform::layers`].
+pub const SHOWS_LAND: u32 = 1;
+/// See [`SHOWS_LAND`].
+pub const SHOWS_SEA: u32 = 2;
+/// See [`SHOWS_LAND`].
+pub const SHOWS_SKY: u32 = 4;
+
+/// Numbers that the CPU and the shaders must agree on, as WGSL constants.
+pub fn shared_constants() -> String {
+    let bits = [("SHOWS_LAND", SHOWS_LAND), ("SHOWS_SEA", SHOWS_SEA), ("SHOWS_SKY", SHOWS_SKY)];
+    let numbers =
+        [("HELD_BY_DEPTH", HELD_BY_DEPTH), ("LEAST_JACOBIAN", LEAST_JACOBIAN), ("FOAM_HIGHEST", foam::HIGHEST_M)];
+    let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
+    let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
+    bits.concat() + &numbers.concat()
+}
 
 /// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

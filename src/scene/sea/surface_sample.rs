@@ -11,8 +11,10 @@ use crate::scene::settings::Settings;
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
 
-/// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal; as in `shaders/lib/waves.wgsl`.
-const LEAST_JACOBIAN: f64 = 0.25;
+/// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal.
+pub const LEAST_JACOBIAN: f64 = 0.25;
+/// Significant height that water holds, as a share of its depth: random waves break at 0.4 to 0.5 of it.
+pub const HELD_BY_DEPTH: f64 = 0.5;
 
 /// The surface of the sea at a place and an instant.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -27,9 +29,9 @@ pub struct SurfaceSample {
     pub jacobian: f64,
 }
 
-/// The share of the waves that water `depth_m` deep holds: random waves break at Hs = h/2.
+/// The share of the waves that water `depth_m` deep holds: see [`HELD_BY_DEPTH`].
 pub fn allowed_by_depth(depth_m: f64, hs_m: f64) -> f64 {
-    if hs_m > 0.0 { (0.5 * depth_m / hs_m).clamp(0.0, 1.0) } else { 1.0 }
+    if hs_m > 0.0 { (HELD_BY_DEPTH * depth_m / hs_m).clamp(0.0, 1.0) } else { 1.0 }
 }
 
 /// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea).
