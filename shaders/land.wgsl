@@ -14,6 +14,7 @@ struct Vertex {
 }
 
 const GRID: f32 = 32.0;
+const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
@@ -84,6 +85,12 @@ fn bed_colour(depth: Metres) -> vec3f {
     return mix(vec3f(0.40, 0.35, 0.26), vec3f(0.13, 0.14, 0.12), smoothstep(2.0, 40.0, depth));
 }
 
+// The terrain tiles' own elevation beside a point.
+fn terrain_at(point: MapPoint, level: u32, step: vec2u) -> Metres {
+    let beside = MapPoint(point.square, point.at + step);
+    return bilinear(false, beside, pages_at(beside, level).terrain).x;
+}
+
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     var point = tile_point(in.tile, in.in_tile);
@@ -109,22 +116,21 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = across / sqrt(max(abs(dot(to_eye, up)), 0.05));
     let ground = ground_at(point, sin_lat, max(across, 1.0));
 
-    // A bed that shows through less than 1/250 of the water needs no light; should a pixel of the sea miss, it is blue.
+    // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
     let sea_covers = ground.is_ocean && (frame.layers & SHOWS_SEA) != 0u;
-    if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > 0.996 {
+    if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
     }
 
     // Slopes over one texel of the terrain tile that is at hand, in metres per metre east and north.
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let level = level_for(point, footprint, cos_lat);
-    let resident = u32(bilinear(false, point, level).w);
-    let texel_step = 1u << (24u - resident);
+    let resident = pages_at(point, level).terrain.level;
+    let east_step = vec2u(1u << (24u - resident), 0u);
+    let south_step = east_step.yx;
     let metres = 2.0 * texel_metres(point, f32(resident), sin_lat);
-    let dx = (bilinear(false, MapPoint(point.square, point.at + vec2u(texel_step, 0u)), resident).x
-        - bilinear(false, MapPoint(point.square, point.at - vec2u(texel_step, 0u)), resident).x) / metres;
-    let dy = (bilinear(false, MapPoint(point.square, point.at - vec2u(0u, texel_step)), resident).x
-        - bilinear(false, MapPoint(point.square, point.at + vec2u(0u, texel_step)), resident).x) / metres;
+    let dx = (terrain_at(point, resident, east_step) - terrain_at(point, resident, vec2u(0u) - east_step)) / metres;
+    let dy = (terrain_at(point, resident, vec2u(0u) - south_step) - terrain_at(point, resident, south_step)) / metres;
     let slope = vec2f(dx, dy) * select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
     let east = normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
     let north = cross(up, east);

@@ -15,9 +15,14 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
     if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
-    // Below the deepest trough and the flattest triangle, land or sea covers the sky.
+    // Below the deepest trough and the flattest triangle, land or sea covers the sky; should a pixel of theirs miss, the clear colour
+    // stands there.
     let covered = shell_hits(eye_ray(direction), -500.0);
-    if (frame.layers & (SHOWS_LAND | SHOWS_SEA)) == (SHOWS_LAND | SHOWS_SEA) && covered.y > max(covered.x, 0.0) { return vec4f(0.0, 0.0, 0.0, 1.0); }
+    let both = SHOWS_LAND | SHOWS_SEA;
+    if (frame.layers & both) == both && covered.y > max(covered.x, 0.0) {
+        discard;
+        return vec4f(0.0);
+    }
     let scattered = scatter_to_sky(direction);
     // The disc, 0.267 degrees in radius, darkened towards its limb.
     let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;

@@ -1,11 +1,14 @@
 //! Floor 5: owns the passes. [`Renderer::render`] is one frame, in order, the same in browser, window and headless.
 
+use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::gpu::texture;
+use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::model::sea_tables::SeaTables;
+use crate::pass::backdrop::Backdrop;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
 use crate::pass::ocean::Ocean;
@@ -13,12 +16,12 @@ use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
-use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
+use crate::scene::frame::{Frame, Output};
 use crate::scene::sea::ride::surface_height;
 use crate::scene::settings;
 use crate::scene::view::camera::{Camera, LOWEST_M};
-use crate::scene::view::map_tiles::visible_tiles;
+use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 
@@ -43,6 +46,7 @@ pub struct Renderer {
     gpu: Gpu,
     world: World,
     radiance_format: wgpu::TextureFormat,
+    streaming: Streaming,
     tiles: WorldTiles,
     frame_group: FrameGroup,
     sky_table: SkyTable,
@@ -51,10 +55,11 @@ pub struct Renderer {
     sky: Sky,
     land: Land,
     ocean: Ocean,
+    backdrop: Backdrop,
     tonemap: Tonemap,
     targets: Option<Targets>,
     moving: bool,
-    clear: wgpu::Color,
+    clear: Option<wgpu::Color>,
     /// Of the last frame.
     dispatches: usize,
     visible: Vec<TileId>,
@@ -89,11 +94,13 @@ impl Renderer {
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
         Self {
-            sky: Sky::new(&gpu, frame, layout, radiance),
+            sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, radiance, DEPTH_FORMAT),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
+            backdrop: Backdrop::new(&gpu, [radiance, DEPTH_FORMAT]),
             tonemap: Tonemap::new(&gpu, TARGET_FORMAT),
             radiance_format: radiance,
+            streaming: Streaming::default(),
             tiles,
             frame_group,
             sky_table,
@@ -101,7 +108,7 @@ impl Renderer {
             mesh,
             targets: None,
             moving: false,
-            clear: wgpu::Color::BLACK,
+            clear: None,
             dispatches: 0,
             visible: Vec::new(),
             complete: false,
@@ -112,9 +119,25 @@ impl Renderer {
 
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
-        self.visible = visible_tiles(&frame.camera, frame.size);
-        self.complete = self.tiles.update(&self.gpu, &mut self.world, &frame.camera, &self.visible);
+        let camera = &frame.camera;
+        self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
+        let wanted = wanted_tiles(camera, frame.size, &self.streaming);
+        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon);
+        self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
+        self.visible = drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame));
         self.complete
+    }
+
+    /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
+    fn hiding(&self, frame: &Frame) -> Option<Hiding> {
+        let covers = frame.uniform.layers & SHOWS_SEA != 0 && frame.uniform.under_water == 0;
+        let depth_m = opaque_depth_m(f64::from(frame.uniform.water_density));
+        covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m() })
+    }
+
+    /// How wide a cell of the terrain's source is, metres.
+    fn resolution_m(&self) -> f64 {
+        self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0)
     }
 
     /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
@@ -154,7 +177,8 @@ impl Renderer {
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
         self.ocean.prepare(&self.gpu, self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect));
-        self.land.set_tiles(&self.gpu, &self.visible);
+        // Coarse tiles are far ones.
+        self.land.set_tiles(&self.gpu, self.visible.iter().rev());
         self.dispatches = self.sky_table.dispatches() + self.surface.dispatches() + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
 
@@ -165,42 +189,36 @@ impl Renderer {
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }
         let surface = self.surface.group();
-        let (scene, radiance) = (texture::view(&targets.scene), texture::view(&targets.radiance));
         let layers = frame.uniform.layers;
+        let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
         {
-            let mut pass = begin(encoder, "scene", &scene, wgpu::LoadOp::Clear(self.clear), None);
+            let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
+            let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
+            if layers & SHOWS_LAND != 0 {
+                self.land.draw(&mut pass, frame_group, surface);
+            }
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, frame_group, surface);
             }
         }
         {
-            let depth = Some(&targets.scene_depth);
-            let mut pass = begin(encoder, "land", &scene, wgpu::LoadOp::Load, depth);
-            if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, frame_group, surface);
-            }
-        }
-        encoder.copy_texture_to_texture(
-            targets.scene.as_image_copy(),
-            targets.radiance.as_image_copy(),
-            targets.scene.size(),
-        );
-        {
-            let mut pass = begin(encoder, "sea", &radiance, wgpu::LoadOp::Load, Some(&targets.depth));
+            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            let mut pass = begin(encoder, "sea", &texture::view(&targets.radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
                 self.ocean.draw(&mut pass, frame_group, surface, self.mesh.drawn());
             }
+            self.backdrop.draw(&mut pass);
         }
-        let mut pass = begin(encoder, "tonemap", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+        let mut pass = begin(encoder, "tonemap", target, wgpu::Color::BLACK, None);
         self.tonemap.draw(&mut pass);
     }
 
     /// Hands the frame to the GPU.
     fn upload(&mut self, frame: &Frame) {
-        let resolution = self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0);
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
         let over_ocean = self.world.sample_resident(lat, lon).is_some_and(|place| place.depth_m.is_some());
-        self.frame_group.upload(&self.gpu, frame, resolution, over_ocean);
+        let deepest = self.streaming.pages.deepest();
+        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, over_ocean);
     }
 
     /// Makes the textures of the picture's size.
@@ -209,7 +227,8 @@ impl Renderer {
             return;
         }
         let targets = Targets::new(&self.gpu, size, self.radiance_format);
-        self.ocean.set_scene(&self.gpu, &texture::view(&targets.scene), &targets.scene_depth);
+        self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
+        self.backdrop.set_scene(&self.gpu, &targets.scene);
         self.tonemap.set_scene(&self.gpu, &texture::view(&targets.radiance));
         self.targets = Some(targets);
     }
@@ -245,9 +264,10 @@ impl Renderer {
         self.moving = moving;
     }
 
-    /// Sets what a picture shows where nothing is drawn, as scene radiance; black unless set. A loud colour shows cracks.
+    /// Sets what a picture shows where nothing is drawn, as scene radiance: between land, sea and sky a deep sea's blue unless set, black
+    /// in place of a layer that is not drawn. A loud colour shows cracks.
     pub fn set_clear_colour(&mut self, clear: wgpu::Color) {
-        self.clear = clear;
+        self.clear = Some(clear);
     }
 
     /// Whether the foam's history is being replayed or the mesh refined: that needs frames, and nothing from outside.
@@ -264,4 +284,16 @@ impl Renderer {
     pub fn radiance(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|targets| &targets.radiance)
     }
+}
+
+/// What stands where neither land nor sea covers a pixel that one of them should: the light of a deep sea, as faint as it is seen
+/// through the surface. Black where a layer is left out or measured.
+fn clear_colour(frame: &Frame) -> wgpu::Color {
+    let u = &frame.uniform;
+    let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
+    if u.layers & all != all || u.output != Output::Picture as u32 || u.under_water != 0 {
+        return wgpu::Color::BLACK;
+    }
+    let [r, g, b] = DEEP_REFLECTANCE.map(|share| 0.25 * f64::from(u.exposure) * share);
+    wgpu::Color { r, g, b, a: 1.0 }
 }

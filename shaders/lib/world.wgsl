@@ -1,4 +1,4 @@
-// Terrain and water tiles: two atlases of 256-texel layers, each found through a table of pages.
+// Terrain and water tiles: two atlases of 256-texel layers, found through a table of pages, one entry for both.
 // A page names the finest resident tile over a place; a missing tile is its parent, magnified.
 #import map
 
@@ -10,16 +10,23 @@ const EARTH_TURN: Metres = 40075016.686;
 
 @group(0) @binding(4) var terrain_tiles: texture_2d_array<f32>;
 @group(0) @binding(5) var water_tiles: texture_2d_array<f32>;
-@group(0) @binding(6) var<storage, read> terrain_pages: array<u32>;
-@group(0) @binding(7) var<storage, read> water_pages: array<u32>;
+@group(0) @binding(6) var<storage, read> pages: array<vec2u>;     // words of terrain and water: layer, and level << 16
 
 struct Page { layer: u32, level: u32 }
+struct Pages { terrain: Page, water: Page }
 
-fn page_at(water: bool, square: u32, level: u32, tile: vec2u) -> Page {
-    let slot = ((square * PAGE_LEVELS + level) * PAGE_WINDOW + (tile.y & 63u)) * PAGE_WINDOW + (tile.x & 63u);
-    var word: u32;
-    if water { word = water_pages[slot]; } else { word = terrain_pages[slot]; }
-    return Page(word & 0xffffu, word >> 16u);
+fn page_of(word: u32) -> Page { return Page(word & 0xffffu, word >> 16u); }
+
+fn page_slot(square: u32, level: u32, tile: vec2u) -> u32 {
+    return ((square * PAGE_LEVELS + level) * PAGE_WINDOW + (tile.y & 63u)) * PAGE_WINDOW + (tile.x & 63u);
+}
+
+// The pages that serve for a point at a level.
+fn pages_at(point: MapPoint, level: u32) -> Pages {
+    // A shift by 32 would be none.
+    let tile = (point.at >> vec2u(32u - max(level, 1u))) >> vec2u(select(0u, 1u, level == 0u));
+    let words = pages[page_slot(point.square, level, tile)];
+    return Pages(page_of(words.x), page_of(words.y));
 }
 
 fn reference_fixed(square: u32) -> vec2u {
@@ -27,10 +34,11 @@ fn reference_fixed(square: u32) -> vec2u {
     return select(frame.south_fixed, frame.north_fixed, square == NORTH);
 }
 
-// The finest level whose texels are no smaller than `footprint`, and whose page table reaches the place.
+// The finest level whose texels are no smaller than `footprint`, that has tiles, and whose page table reaches the place.
 fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
     let whole = select(POLAR_EXTENT * 4.0 * 6378137.0, EARTH_TURN * cos_lat, point.square == MERCATOR) / f32(TILE_TEXELS);
-    var level = u32(clamp(ceil(log2(whole / max(footprint, 0.01))), 0.0, f32(PAGE_LEVELS - 1u)));
+    let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
+    let level = u32(clamp(ceil(log2(whole / max(footprint, 0.01))), 0.0, f32(deepest)));
     let away = point.at - reference_fixed(point.square);
     let distance = vec2u(min(away.x, 0u - away.x), min(away.y, 0u - away.y));
     let reach = max(distance.x, distance.y) | 1u;
@@ -39,31 +47,41 @@ fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
     return min(level, widest);
 }
 
-// Metres of elevation, or signed distances to the ocean's and the lakes' shores in texels of `level`.
-fn texel(water: bool, square: u32, level: u32, index: vec2u) -> vec3f {
-    let page = page_at(water, square, level, index >> vec2u(TILE_BITS));
-    let at = (index >> vec2u(level - min(page.level, level))) & vec2u(TILE_TEXELS - 1u);
-    if water {
-        // Stored in sixteenths of a texel of the tile's own level.
-        let sixteenths = textureLoad(water_tiles, at, page.layer, 0).xyz * 255.0 - 128.0;
-        return sixteenths * (exp2(f32(level) - f32(page.level)) / 16.0);
-    }
+// Metres of elevation, or signed distances to the ocean's and the lakes' shores in texels of the page's own level.
+fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
+    // Distances are stored in sixteenths of a texel.
+    if water { return (textureLoad(water_tiles, at, page.layer, 0).xyz * 255.0 - 128.0) / 16.0; }
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 
-// Bilinear, across tile borders too, at the level that is resident under the point.
-fn bilinear(water: bool, point: MapPoint, wanted: u32) -> vec4f {
-    var level = min(wanted, PAGE_LEVELS - 1u);
-    level = min(page_at(water, point.square, level, (point.at >> vec2u(32u - max(level, 1u))) >> vec2u(select(0u, 1u, level == 0u))).level, level);
+// The same of a texel of `level`, which a coarser page may serve for; distances in texels of `level`.
+fn texel(water: bool, square: u32, level: u32, index: vec2u) -> vec3f {
+    let words = pages[page_slot(square, level, index >> vec2u(TILE_BITS))];
+    let page = page_of(select(words.x, words.y, water));
+    let at = (index >> vec2u(level - min(page.level, level))) & vec2u(TILE_TEXELS - 1u);
+    return page_texel(water, page, at) * select(1.0, exp2(f32(level) - f32(page.level)), water);
+}
+
+// Bilinear, across tile borders too, at the level of the page that serves for the point.
+fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
+    let level = page.level;
     let shift = 24u - level;
     let shifted = point.at - vec2u(1u << (shift - 1u));
     let f = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
     let mask = (TILE_TEXELS << level) - 1u;
     let i0 = (shifted >> vec2u(shift)) & vec2u(mask);
     let i1 = (i0 + vec2u(1u)) & vec2u(mask);
+    if all((i0 >> vec2u(TILE_BITS)) == (i1 >> vec2u(TILE_BITS))) {
+        // All four texels lie in the point's own tile.
+        let a = i0 & vec2u(TILE_TEXELS - 1u);
+        let b = i1 & vec2u(TILE_TEXELS - 1u);
+        let top = mix(page_texel(water, page, a), page_texel(water, page, vec2u(b.x, a.y)), f.x);
+        let bottom = mix(page_texel(water, page, vec2u(a.x, b.y)), page_texel(water, page, b), f.x);
+        return mix(top, bottom, f.y);
+    }
     let top = mix(texel(water, point.square, level, i0), texel(water, point.square, level, vec2u(i1.x, i0.y)), f.x);
     let bottom = mix(texel(water, point.square, level, vec2u(i0.x, i1.y)), texel(water, point.square, level, i1), f.x);
-    return vec4f(mix(top, bottom, f.y), f32(level));
+    return mix(top, bottom, f.y);
 }
 
 struct Ground {
@@ -95,12 +113,11 @@ fn texel_metres(point: MapPoint, level: f32, sin_lat: f32) -> Metres {
 
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let level = level_for(point, footprint, cos_lat);
-    let terrain = bilinear(false, point, level);
-    let water = bilinear(true, point, level);
-    var shores = water.xy * texel_metres(point, water.w, sin_lat);
+    let found = pages_at(point, level_for(point, footprint, cos_lat));
+    let terrain = bilinear(false, point, found.terrain);
+    var shores = bilinear(true, point, found.water).xy * texel_metres(point, f32(found.water.level), sin_lat);
     // Without any water tile the sign of the elevation tells sea from land.
-    if page_at(true, point.square, 0u, vec2u(0u)).layer == 0u {
+    if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
     }
     return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,

@@ -8,7 +8,7 @@ use clap::Args;
 use super::render::{draw, headless, parse_size, parse_state};
 use crate::error::{Error, Result};
 use crate::gpu::texture::{self, Shape};
-use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
+use crate::renderer::{Cost, Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
 use crate::scene::view::named::VIEWS;
 use crate::scene::view::state::ViewState;
@@ -96,7 +96,8 @@ pub fn run(args: &BenchArgs) -> Result<()> {
         gpu.texture("bench", Shape::picture(size[0], size[1]), TARGET_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
     let target = texture::view(&target);
     println!("{}, {}x{}, median of {} frames", gpu.adapter, size[0], size[1], args.frames);
-    println!("{:<12} {:>10} {:>12} {:>10} {:>9}", "view", "frame ms", "encode ms", "triangles", "waves");
+    let head = ["frame ms", "encode ms", "triangles", "land", "map tiles", "waves"];
+    println!("{:<12}{}", "view", head.map(|column| format!(" {column:>10}")).concat());
     let mut rows = Vec::new();
     for (name, state) in &views {
         let (mut frame, _) = draw(&mut renderer, state, size, Output::Picture)?;
@@ -107,10 +108,14 @@ pub fn run(args: &BenchArgs) -> Result<()> {
             times.push(frame_ms(&mut renderer, &frame, &target)?);
         }
         let [whole, encode] = [0, 1].map(|part| median(times.iter().map(|t| t[part]).collect()));
-        let (triangles, samples) = (renderer.cost()?.triangles, frame.sea.cascades[0].n);
-        println!("{name:<12} {whole:>10.2} {encode:>12.3} {triangles:>10} {:>9}", format!("4x{samples}²"));
+        let (Cost { triangles, land_triangles, map_tiles, .. }, samples) = (renderer.cost()?, frame.sea.cascades[0].n);
+        let waves = format!("4x{samples}²");
+        println!(
+            "{name:<12} {whole:>10.2} {encode:>10.3} {triangles:>10} {land_triangles:>10} {map_tiles:>10} {waves:>10}"
+        );
         rows.push(serde_json::json!({
-            "view": name, "frame_ms": whole, "encode_ms": encode, "triangles": triangles, "samples": samples,
+            "view": name, "frame_ms": whole, "encode_ms": encode, "triangles": triangles,
+            "land_triangles": land_triangles, "map_tiles": map_tiles, "samples": samples,
         }));
     }
     drop(renderer);

@@ -23,6 +23,15 @@ pub enum Bind {
     Sampler,
 }
 
+/// Which fragments a drawing pipeline lets through. Depth is reversed: greater is nearer, 0 is where nothing has been drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthTest {
+    /// Those nearer than what is there; their depth is written.
+    Nearest,
+    /// Those of depth 0, where nothing has been drawn.
+    Undrawn,
+}
+
 impl Bind {
     fn binding_type(self) -> wgpu::BindingType {
         use wgpu::{BindingType as T, BufferBindingType as B, TextureSampleType as S};
@@ -116,7 +125,8 @@ impl Gpu {
         })
     }
 
-    /// A drawing pipeline from a source with its entry for vertices, and `fragment`; depth, where given, is reversed (greater is nearer).
+    /// A drawing pipeline from a source with its entry for vertices, and `fragment`, and the format and the test of the depth
+    /// where there is one.
     pub fn drawing(
         &self,
         label: &str,
@@ -124,7 +134,7 @@ impl Gpu {
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
         target: wgpu::TextureFormat,
-        depth: Option<wgpu::TextureFormat>,
+        depth: Option<(wgpu::TextureFormat, DepthTest)>,
     ) -> wgpu::RenderPipeline {
         let module = self.module(label, source);
         let layout = self.pipeline_layout(label, groups);
@@ -139,10 +149,13 @@ impl Gpu {
                 buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: depth.map(|format| wgpu::DepthStencilState {
+            depth_stencil: depth.map(|(format, test)| wgpu::DepthStencilState {
                 format,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
+                depth_write_enabled: Some(test == DepthTest::Nearest),
+                depth_compare: Some(match test {
+                    DepthTest::Nearest => wgpu::CompareFunction::Greater,
+                    DepthTest::Undrawn => wgpu::CompareFunction::GreaterEqual,
+                }),
                 stencil: Default::default(),
                 bias: Default::default(),
             }),

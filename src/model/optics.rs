@@ -67,6 +67,19 @@ pub fn water_alpha(rho_per_m: f64, depth_m: f64) -> f64 {
     (1.0 - (-rho_per_m * depth_m).exp()).clamp(0.0, 1.0)
 }
 
+/// Share of red, green and blue irradiance that deep clear sea water sends back up (blue water; C. Mobley 1994, ch. 3). Equals
+/// `DEEP_REFLECTANCE` in `shaders/lib/water.wgsl`.
+pub const DEEP_REFLECTANCE: [f64; 3] = [0.0035, 0.018, 0.040];
+
+/// Opacity from which on nothing of the bed can be seen: less than 1/250 of its light comes through. Equals `OPAQUE_ALPHA` in
+/// `shaders/land.wgsl`.
+pub const OPAQUE_ALPHA: f64 = 0.996;
+
+/// Depth in metres from which water is as opaque as [`OPAQUE_ALPHA`], ρ per metre.
+pub fn opaque_depth_m(rho_per_m: f64) -> f64 {
+    -(1.0 - OPAQUE_ALPHA).ln() / rho_per_m
+}
+
 /// Mean square slopes of a wind-blown sea.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanSquareSlope {

@@ -22,7 +22,7 @@ pub struct FrameGroup {
 
 impl FrameGroup {
     /// The group over the terrain and water atlases and their page tables.
-    pub fn new(gpu: &Gpu, atlases: &[wgpu::TextureView; 2], pages: [&wgpu::Buffer; 2]) -> Self {
+    pub fn new(gpu: &Gpu, atlases: &[wgpu::TextureView; 2], pages: &wgpu::Buffer) -> Self {
         use wgpu::{BufferUsages as B, TextureViewDimension::D2Array};
         let binds = [
             Bind::Uniform,
@@ -31,7 +31,6 @@ impl FrameGroup {
             Bind::Sampler,
             Bind::Texels(D2Array),
             Bind::Texels(D2Array),
-            Bind::Storage,
             Bind::Storage,
         ];
         // Not all(): it holds stages that browsers do not know, and they refuse the whole layout.
@@ -53,18 +52,20 @@ impl FrameGroup {
                 wgpu::BindingResource::Sampler(&repeated),
                 wgpu::BindingResource::TextureView(&atlases[0]),
                 wgpu::BindingResource::TextureView(&atlases[1]),
-                pages[0].as_entire_binding(),
-                pages[1].as_entire_binding(),
+                pages.as_entire_binding(),
             ],
         );
         Self { layout, group, block_layout, block_group, uniform, nodes }
     }
 
-    /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, and
-    /// whether there is ocean at the eye's place.
-    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, over_ocean: bool) {
+    /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
+    /// of the maps' page tables ([`PageTable::deepest`]), and whether there is ocean at the eye's place.
+    ///
+    /// [`PageTable::deepest`]: crate::data::streaming::PageTable::deepest
+    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, deepest_pages: u32, over_ocean: bool) {
         let uniform = FrameUniform {
             terrain_resolution: terrain_resolution_m as f32,
+            deepest_pages,
             under_water: frame.uniform.under_water & u32::from(over_ocean),
             ..frame.uniform
         };

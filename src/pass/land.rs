@@ -4,6 +4,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
+use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
@@ -62,7 +63,14 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let pipeline = gpu.drawing("land", (&source(), "vertex"), &[frame, surface], &buffers, colour, Some(depth));
+        let pipeline = gpu.drawing(
+            "land",
+            (&source(), "vertex"),
+            &[frame, surface],
+            &buffers,
+            colour,
+            Some((depth, DepthTest::Nearest)),
+        );
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
@@ -75,13 +83,18 @@ impl Land {
         }
     }
 
-    /// Sets the tiles of the next draw.
-    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: &[TileId]) {
+    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides.
+    pub fn set_tiles<'a>(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = &'a TileId>) {
         let instance =
             |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
-        let instances: Vec<Instance> = tiles.iter().take(MOST_TILES).map(instance).collect();
+        let instances: Vec<Instance> = tiles.take(MOST_TILES).map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
         self.count = instances.len() as u32;
+    }
+
+    /// Tiles and triangles of the next draw.
+    pub fn counts(&self) -> [u32; 2] {
+        [self.count, self.count * (self.index_count / 3)]
     }
 
     /// One instanced draw.

@@ -1,5 +1,6 @@
 //! Floor 4: one file per pass; a pass owns its pipelines, textures and bind groups, and knows no other pass.
 
+pub mod backdrop;
 pub mod bisect;
 pub mod fft;
 pub mod foam;

@@ -1,7 +1,7 @@
 //! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left.
 
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, DepthTest};
 use crate::gpu::{Gpu, shader};
 use crate::scene::settings::Mesh;
 
@@ -73,7 +73,7 @@ impl Ocean {
                 Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
             };
             let groups: Vec<_> = layouts.iter().take(groups).collect();
-            gpu.drawing("ocean", (&source(), vertex), &groups, &buffers, *colour, Some(*depth))
+            gpu.drawing("ocean", (&source(), vertex), &groups, &buffers, *colour, Some((*depth, DepthTest::Nearest)))
         });
     }
 

@@ -1,5 +1,6 @@
-//! The sky behind everything, drawn first over the whole picture.
+//! The sky behind everything, drawn where nothing else has been.
 
+use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -13,14 +14,15 @@ pub struct Sky {
 }
 
 impl Sky {
-    /// The pass into a colour target of `format`; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    /// The pass into `formats` of colour and depth; `frame` and `surface` are the layouts of bind groups 0 and 1.
     pub fn new(
         gpu: &Gpu,
         frame: &wgpu::BindGroupLayout,
         surface: &wgpu::BindGroupLayout,
-        format: wgpu::TextureFormat,
+        [colour, depth]: [wgpu::TextureFormat; 2],
     ) -> Self {
-        Self { pipeline: gpu.drawing("sky", (&source(), "vertex"), &[frame, surface], &[], format, None) }
+        let depth = Some((depth, DepthTest::Undrawn));
+        Self { pipeline: gpu.drawing("sky", (&source(), "vertex"), &[frame, surface], &[], colour, depth) }
     }
 
     /// One triangle over the picture.

@@ -10,6 +10,10 @@ pub struct Cost {
     pub vertices: u32,
     /// Triangles of the sea's mesh.
     pub triangles: u32,
+    /// Map tiles of the ground that are drawn, a grid of triangles for each.
+    pub map_tiles: u32,
+    /// Triangles of the ground's grids.
+    pub land_triangles: u32,
     /// Compute dispatches, those of the foam's replay included.
     pub dispatches: usize,
 }
@@ -27,6 +31,7 @@ impl Renderer {
             }
             None => self.ocean.grid_counts(),
         };
-        Ok(Cost { vertices, triangles, dispatches: self.dispatches })
+        let [map_tiles, land_triangles] = self.land.counts();
+        Ok(Cost { vertices, triangles, map_tiles, land_triangles, dispatches: self.dispatches })
     }
 }

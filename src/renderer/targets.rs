@@ -29,7 +29,7 @@ impl Radiance {
 pub(super) struct Targets {
     pub(super) size: [u32; 2],
     /// Sky and land, as the sea sees them.
-    pub(super) scene: wgpu::Texture,
+    pub(super) scene: wgpu::TextureView,
     pub(super) scene_depth: wgpu::TextureView,
     /// Everything.
     pub(super) radiance: wgpu::Texture,
@@ -40,25 +40,24 @@ impl Targets {
     pub(super) fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> Self {
         use wgpu::TextureUsages as T;
         let picture = Shape::picture(size[0], size[1]);
-        let usage = T::RENDER_ATTACHMENT | T::COPY_SRC | T::COPY_DST;
         let depth = |label| texture::view(&gpu.texture(label, picture, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
         Self {
             size,
-            scene: gpu.texture("scene", picture, format, usage),
+            scene: texture::view(&gpu.texture("scene", picture, format, T::RENDER_ATTACHMENT)),
             scene_depth: depth("scene depth"),
-            radiance: gpu.texture("radiance", picture, format, usage),
+            radiance: gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC),
             depth: depth("depth"),
         }
     }
 }
 
-/// A render pass over one colour target; the depth, where there is one, begins infinitely far.
+/// A render pass over one colour target; the depth, where there is one, begins infinitely far and is kept or not.
 pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     colour: &wgpu::TextureView,
-    load: wgpu::LoadOp<wgpu::Color>,
-    depth: Option<&wgpu::TextureView>,
+    clear: wgpu::Color,
+    depth: Option<(&wgpu::TextureView, wgpu::StoreOp)>,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some(label),
@@ -66,12 +65,12 @@ pub(super) fn begin<'a>(
             view: colour,
             depth_slice: None,
             resolve_target: None,
-            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store },
         })],
-        depth_stencil_attachment: depth.map(|view| wgpu::RenderPassDepthStencilAttachment {
+        depth_stencil_attachment: depth.map(|(view, store)| wgpu::RenderPassDepthStencilAttachment {
             view,
             // Reversed depth: 0 is infinitely far.
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Store }),
+            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store }),
             stencil_ops: None,
         }),
         ..Default::default()

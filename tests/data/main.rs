@@ -4,6 +4,7 @@ mod bake;
 mod camera;
 mod coast;
 mod hostile_data;
+mod map_tiles;
 mod sample;
 mod serve;
 mod small_world;

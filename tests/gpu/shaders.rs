@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
+use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
-use ocean_globe::model::wave_domain;
+use ocean_globe::model::{optics, wave_domain};
 use ocean_globe::pass::fft::Precision;
-use ocean_globe::pass::{bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap, world_tiles};
+use ocean_globe::pass::{backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap};
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
@@ -17,6 +18,7 @@ fn all() -> Vec<(&'static str, String)> {
     let sizes =
         (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
     let mut all = vec![
+        ("backdrop.wgsl", backdrop::source()),
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
         ("foam.wgsl", foam::source()),
@@ -172,13 +174,24 @@ fn structs_have_the_same_members_at_the_same_places() {
 
 /// The value of a module constant, which must be a literal.
 fn constant(source: &str, name: &str) -> f64 {
+    let values = constants(source, name);
+    assert_eq!(values.len(), 1, "{name} is a vector");
+    values[0]
+}
+
+/// The values of a module constant, which must be a literal or a vector of them.
+fn constants(source: &str, name: &str) -> Vec<f64> {
     let module = parsed(name, source);
     let (_, found) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name);
-    match module.global_expressions[found.init] {
+    let literal = |init: &naga::Handle<naga::Expression>| match module.global_expressions[*init] {
         naga::Expression::Literal(naga::Literal::U32(x)) => f64::from(x),
         naga::Expression::Literal(naga::Literal::I32(x)) => f64::from(x),
         naga::Expression::Literal(naga::Literal::F32(x)) => f64::from(x),
         ref other => panic!("{name} is {other:?}"),
+    };
+    match &module.global_expressions[found.init] {
+        naga::Expression::Compose { components, .. } => components.iter().map(literal).collect(),
+        _ => vec![literal(&found.init)],
     }
 }
 
@@ -193,9 +206,12 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
     assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
     assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
-    assert_eq!(constant(&ocean, "PAGE_LEVELS"), world_tiles::PAGE_LEVELS as f64);
-    assert_eq!(constant(&ocean, "PAGE_WINDOW"), world_tiles::PAGE_WINDOW as f64);
+    assert_eq!(constant(&ocean, "PAGE_LEVELS"), streaming::PAGE_LEVELS as f64);
+    assert_eq!(constant(&ocean, "PAGE_WINDOW"), streaming::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
+    let reflectance = optics::DEEP_REFLECTANCE.map(|share| f64::from(share as f32));
+    assert_eq!(constants(&land, "DEEP_REFLECTANCE"), reflectance);
+    assert_eq!(constant(&land, "OPAQUE_ALPHA"), f64::from(optics::OPAQUE_ALPHA as f32));
     assert_eq!(constant(&perlin::source(), "SIDE"), f64::from(perlin::SIDE));
     assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);
     assert_eq!(constant(&ocean, "FOAM_LEVELS"), scene_foam::LEVELS as f64);

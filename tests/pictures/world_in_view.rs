@@ -3,13 +3,14 @@
 use std::time::{Duration, Instant};
 
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::streaming::Streaming;
 use ocean_globe::data::tile::MapPoint;
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::frame::{Frame, Output};
 use ocean_globe::scene::sea::ride::surface_height;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
-use ocean_globe::scene::view::map_tiles::visible_tiles;
+use ocean_globe::scene::view::map_tiles::drawn_tiles;
 use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -20,7 +21,7 @@ fn an_eye_that_looks_down_sees_the_tile_below_it() {
         for altitude in [1.0, 2_000.0, 300_000.0, 2e7] {
             let camera = Camera::from_degrees(lat, lon, altitude, 0.0, 0.0);
             let foot = MapPoint::from_lat_lon(camera.lat, camera.lon);
-            let tiles = visible_tiles(&camera, [640, 360]);
+            let tiles = drawn_tiles(&camera, [640, 360], &Streaming::default(), None);
             assert!(
                 tiles.iter().any(|id| foot.tile(id.z) == *id),
                 "{lat},{lon} from {altitude} m: {} tiles",

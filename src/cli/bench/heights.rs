@@ -174,7 +174,7 @@ impl Height {
 
     /// A row of the table.
     pub fn row(&self) -> String {
-        let Cost { vertices, triangles, dispatches } = self.cost;
+        let Cost { vertices, triangles, dispatches, .. } = self.cost;
         let percent = |share: f64| format!("{:+.0} %", 100.0 * share);
         let altitude = match self.altitude_m {
             metres if metres.abs() < 10_000.0 => format!("{metres:.0} m"),

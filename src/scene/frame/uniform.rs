@@ -223,8 +223,8 @@ gpu_struct! {
         perlin_spacing: f32 = "Metres",
         /// Along a cell of the projected grid.
         cell_pixels: f32 = "f32",
-        /// Padding.
-        unused_b: f32 = "f32",
+        /// The deepest levels that page tables reach: Mercator's in the lowest byte, then the north's and the south's.
+        deepest_pages: u32 = "u32",
         /// Padding.
         unused_c: f32 = "f32",
         /// Node count.

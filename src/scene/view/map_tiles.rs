@@ -1,8 +1,12 @@
-//! Which map tiles a view needs: a quadtree per map square, refined until a texel is no wider than a pixel.
+//! Which map tiles a view needs: a quadtree per map square, refined until a texel is no wider than a pixel, and drawn where the ground
+//! shows.
+
+use std::collections::VecDeque;
 
 use glam::DVec3;
 
-use crate::data::tile::{Projection, TileId, lat_lon_from_map, texel_size_m};
+use crate::data::streaming::Streaming;
+use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
@@ -12,6 +16,15 @@ pub const DEEPEST_MESH: u8 = 14;
 const RELIEF_M: f64 = 9_500.0;
 /// Tiles that one frame may draw.
 const MOST_TILES: usize = 420;
+
+/// How a sea hides its bed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hiding {
+    /// Depth from which the water lets nothing through, metres.
+    pub depth_m: f64,
+    /// How wide a cell of the terrain's source is, metres: what shapes the bed near the shore.
+    pub resolution_m: f64,
+}
 
 struct Bounds {
     centre: DVec3,
@@ -26,7 +39,8 @@ fn bounds(id: TileId) -> Bounds {
         (lat, WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 }))
     };
     let (lat, centre) = at(0.5, 0.5);
-    let steps = [0.0, 0.25, 0.5, 0.75, 1.0];
+    // Of a small tile a corner is the farthest point, to a thousandth; a large one is bent.
+    let steps: &[f64] = if id.z < 4 { &[0.0, 0.25, 0.5, 0.75, 1.0] } else { &[0.0, 1.0] };
     let farthest = steps
         .iter()
         .flat_map(|&x| steps.iter().map(move |&y| (x, y)))
@@ -41,29 +55,32 @@ struct Visibility {
     planes: [DVec3; 4],
     eye_normal: DVec3,
     horizon_angle: f64,
+    pixel_angle: f64,
 }
 
 impl Visibility {
-    fn new(camera: &Camera, aspect: f64) -> Self {
+    fn new(camera: &Camera, size: [u32; 2]) -> Self {
+        let [width, height] = size.map(|side| f64::from(side.max(1)));
         let axes = camera.basis();
         let half = (FIELD_OF_VIEW_Y / 2.0).tan();
         let slanted = |axis: DVec3, slope: f64| (axes.forward * slope + axis).normalize();
-        let height = camera.altitude_m.max(10.0);
         Self {
             eye: camera.eye_ecef(),
             planes: [
-                slanted(axes.right, half * aspect),
-                slanted(-axes.right, half * aspect),
+                slanted(axes.right, half * width / height),
+                slanted(-axes.right, half * width / height),
                 slanted(axes.up, half),
                 slanted(-axes.up, half),
             ],
             eye_normal: earth::normal(camera.lat, camera.lon),
-            horizon_angle: (WGS84.b / (WGS84.b + height)).acos() + (WGS84.b / (WGS84.b + RELIEF_M)).acos(),
+            horizon_angle: horizon_angle(camera.altitude_m.max(10.0)),
+            pixel_angle: 2.0 * half / height,
         }
     }
 
-    fn sees(&self, b: &Bounds) -> bool {
-        let reach = b.radius + RELIEF_M;
+    /// `low` and `high` are the heights of what stands on the tile, metres.
+    fn sees(&self, b: &Bounds, [low, high]: [f64; 2]) -> bool {
+        let reach = b.radius + high.max(-low);
         let away = b.centre - self.eye;
         if self.planes.iter().any(|plane| plane.dot(away) < -reach) {
             return false;
@@ -71,27 +88,77 @@ impl Visibility {
         let angle = self.eye_normal.dot(b.centre.normalize()).clamp(-1.0, 1.0).acos();
         // A chord of the globe spans twice the arcsine of half of it; the whole map spans all.
         let spread = 2.0 * (b.radius / (2.0 * WGS84.b)).min(1.0).asin();
-        angle < self.horizon_angle + spread + 0.005
+        angle < self.horizon_angle + horizon_angle(high) + spread + 0.005
     }
 }
 
-/// Tiles of the ground to draw, each place once; coarse tiles come first.
-pub fn visible_tiles(camera: &Camera, size: [u32; 2]) -> Vec<TileId> {
-    let visibility = Visibility::new(camera, f64::from(size[0].max(1)) / f64::from(size[1].max(1)));
-    let pixel_angle = 2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / f64::from(size[1].max(1));
-    let mut open: std::collections::VecDeque<TileId> = Projection::ALL.iter().map(|&p| TileId::root(p)).collect();
+/// How far the horizon of a height is, as an angle at the earth's centre.
+fn horizon_angle(height_m: f64) -> f64 {
+    (WGS84.b / (WGS84.b + height_m.max(0.0))).min(1.0).acos()
+}
+
+/// Heights of the ground in a tile: real ones where all of the tile's data are at hand.
+fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
+    let known = id.z >= tiles.deepest(Layer::Terrain, id.projection) && tiles.is_known(Layer::Terrain, id);
+    // Vertices look three levels up, where a texel is as wide as a cell of the mesh.
+    let metres = if known { tiles.elevations_m(id, id.z.saturating_sub(4)) } else { None };
+    // A sharp coast shapes the bed to at least 30 m of depth and the land to at least 2 m of height, see `shaped_elevation`.
+    metres.map_or([-RELIEF_M, RELIEF_M], |metres| [metres.least.min(-30.0), metres.greatest.max(2.0)])
+}
+
+impl Hiding {
+    /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
+    fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
+        let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
+        // What `shaped_elevation` makes of the distance at least; far from the shore the tiles' own depth counts.
+        let sloping = (0.01 * shore_m).min(30.0);
+        if shore_m <= 0.0 || sloping >= self.depth_m || shore_m < self.resolution_m {
+            return shore_m > 0.0 && sloping >= self.depth_m;
+        }
+        tiles.elevations_m(id, coarsest).is_some_and(|metres| -metres.greatest >= self.depth_m)
+    }
+}
+
+/// The tiles whose data a picture of `size` pixels needs, each place once, coarse tiles first, none deeper than the archives. They
+/// depend on the view alone: if what has come changed what is asked for, two sets of tiles could drive each other out for ever.
+pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<TileId> {
+    let deepest =
+        |id: TileId| Layer::ALL.map(|layer| tiles.deepest(layer, id.projection)).into_iter().max().unwrap_or(0);
+    refined(camera, size, |id, _, visibility, b| (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest(id)))
+}
+
+/// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
+/// the ground, and how the sea hides its bed, if it does.
+pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
+    refined(camera, size, |id, far_m, visibility, b| {
+        let shows = visibility.sees(b, heights(id, tiles))
+            && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
+        (shows, id.z < DEEPEST_MESH)
+    })
+}
+
+/// The quadtree's leaves. `judge` says of a tile, whose farthest point is some metres from the eye, whether it is there at all and
+/// whether it may be refined.
+fn refined(
+    camera: &Camera,
+    size: [u32; 2],
+    judge: impl Fn(TileId, f64, &Visibility, &Bounds) -> (bool, bool),
+) -> Vec<TileId> {
+    let visibility = Visibility::new(camera, size);
+    let mut open: VecDeque<TileId> = Projection::ALL.iter().map(|&p| TileId::root(p)).collect();
     let mut chosen = Vec::new();
     while let Some(id) = open.pop_front() {
         let b = bounds(id);
-        if !serves(id, &b) || !visibility.sees(&b) {
+        let centre_m = b.centre.distance(visibility.eye);
+        let (shows, divisible) = judge(id, centre_m + b.radius, &visibility, &b);
+        if !shows || !serves(id, &b) {
             continue;
         }
         // The middle of the ground under the eye is nearer than any bounding sphere tells.
-        let distance = (b.centre.distance(visibility.eye) - b.radius).max(camera.altitude_m.abs()).max(1.0);
-        let texel = texel_size_m(id.projection, id.z, b.lat);
-        let fine = texel <= distance * pixel_angle;
+        let distance = (centre_m - b.radius).max(camera.altitude_m.abs()).max(1.0);
+        let fine = texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
         let room = chosen.len() + open.len() < MOST_TILES;
-        match id.children().filter(|_| !fine && id.z < DEEPEST_MESH && room) {
+        match id.children().filter(|_| !fine && divisible && room) {
             Some(children) => open.extend(children),
             None => chosen.push(id),
         }
@@ -99,10 +166,20 @@ pub fn visible_tiles(camera: &Camera, size: [u32; 2]) -> Vec<TileId> {
     chosen
 }
 
+/// The coarsest level that shaders look at in a tile with these bounds, `far_m` from the eye where it is farthest.
+fn coarsest_level(id: TileId, b: &Bounds, far_m: f64, visibility: &Visibility) -> u8 {
+    // Texels are as wide as pixels, and no more than 16 tiles of a level lie between the eye and a place that looks at it.
+    let texel_m = far_m * visibility.pixel_angle.max(1.0 / (16.0 * TILE_TEXELS as f64));
+    // Texels are narrowest towards a pole; a bounding radius spans half of that much latitude at most.
+    let lat = (b.lat.abs() + 2.0 * b.radius / WGS84.b).min(std::f64::consts::FRAC_PI_2);
+    let whole_m = texel_size_m(id.projection, 0, if id.projection == Projection::South { -lat } else { lat });
+    (whole_m / texel_m.max(1.0)).log2().floor().clamp(0.0, 24.0) as u8
+}
+
 /// Whether any part of a tile lies where its square is the one that serves (the polar squares beyond 84 degrees).
 fn serves(id: TileId, b: &Bounds) -> bool {
     let reach = 2.0 * (b.radius / (2.0 * WGS84.b)).min(1.0).asin();
-    let limit = crate::data::tile::POLAR_LATITUDE_DEG.to_radians();
+    let limit = POLAR_LATITUDE_DEG.to_radians();
     match id.projection {
         Projection::Mercator => b.lat.abs() - reach < limit,
         Projection::North => b.lat + reach > limit,

@@ -1,0 +1,121 @@
+//! Which tiles of a [`World`] a renderer keeps at hand: asks for those in view, coarse ones first, and says which have come, what
+//! they hold and where shaders find them. Knows no GPU: whoever has the atlases takes the [`Upload`]s and the page tables.
+
+mod page_table;
+mod residency;
+mod tile_range;
+
+pub use page_table::{PAGE_ENTRIES, PAGE_LEVELS, PAGE_WINDOW, PageTable};
+pub use tile_range::{Range, TileRange};
+
+use super::SharedTexels;
+use super::tile::{Layer, MapPoint, Projection, TileId};
+use super::world::{Outcome, World};
+use residency::Residency;
+
+/// Slots of each atlas; WebGPU promises 256 layers. Terrain 48 MiB, water 48 MiB.
+pub const ATLAS_SLOTS: u32 = 192;
+
+/// A tile that has come, for a slot of its layer's atlas.
+pub struct Upload {
+    /// Which atlas.
+    pub layer: Layer,
+    /// Which slot.
+    pub slot: u32,
+    /// What goes into it.
+    pub texels: SharedTexels,
+}
+
+/// The tiles at hand of both layers.
+pub struct Streaming {
+    layers: [Residency; 2],
+    frame: u64,
+    changed: bool,
+    /// Deepest levels of the archives by layer and map; 0 before they are open.
+    deepest: [[u8; 3]; 2],
+    /// Where shaders find the tiles.
+    pub pages: PageTable,
+}
+
+impl Default for Streaming {
+    fn default() -> Self {
+        let layers = Layer::ALL.map(|layer| Residency::new(layer, ATLAS_SLOTS));
+        Self { layers, frame: 0, changed: true, deepest: [[0; 3]; 2], pages: PageTable::new() }
+    }
+}
+
+impl Streaming {
+    /// Begins a frame: takes what has arrived. The tiles of the frame before stay.
+    pub fn receive(&mut self, world: &mut World) -> Vec<Upload> {
+        self.frame += 1;
+        self.deepest = Layer::ALL.map(|layer| Projection::ALL.map(|map| world.max_zoom(layer, map).unwrap_or(0)));
+        let mut uploads = Vec::new();
+        for arrival in world.poll() {
+            let (layer, id) = (arrival.layer, arrival.id);
+            let tiles = &mut self.layers[layer as usize];
+            match arrival.outcome {
+                Outcome::Tile(texels) => {
+                    if let Some(slot) = tiles.receive(id, &texels, self.frame) {
+                        self.changed = true;
+                        uploads.push(Upload { layer, slot, texels });
+                    }
+                }
+                Outcome::Absent => tiles.is_absent(id),
+                Outcome::Failed(_) => tiles.has_failed(id),
+            }
+        }
+        uploads
+    }
+
+    /// Asks `world` for what `tiles` and the eye's place (radians) need, and brings the page tables up to date. True when nothing
+    /// had to be asked for: all that the world has of them is here.
+    pub fn want(&mut self, world: &mut World, tiles: &[TileId], lat: f64, lon: f64) -> bool {
+        let mut complete = true;
+        // Also what lies under the eye, in view or not: the eye must know its ground.
+        let foot = MapPoint::from_lat_lon(lat, lon).tile(PAGE_LEVELS as u8 - 1);
+        let mut wanted: Vec<TileId> = tiles.iter().copied().chain([foot]).flat_map(lineage).collect();
+        wanted.sort_unstable_by_key(|id| (id.z, id.projection as u8, id.y, id.x));
+        wanted.dedup();
+        for layer in Layer::ALL {
+            let residency = &mut self.layers[layer as usize];
+            let deepest = self.deepest[layer as usize].map(|z| z.min(PAGE_LEVELS as u8 - 1));
+            let there = wanted.iter().filter(|id| id.z <= deepest[id.projection as usize] && !residency.lacks(id));
+            // The coarse ones first; what the atlas cannot hold is shown through its parents.
+            let there: Vec<TileId> = there.take(ATLAS_SLOTS as usize - 1).copied().collect();
+            for id in there {
+                if residency.want(id, self.frame) {
+                    world.request(layer, id);
+                    complete = false;
+                }
+            }
+        }
+        self.pages.update(&self.layers, std::mem::take(&mut self.changed), lat, lon);
+        complete && world.settled()
+    }
+
+    /// Deepest level of a map's tiles of a layer; 0 before its archive is open.
+    pub fn deepest(&self, layer: Layer, projection: Projection) -> u8 {
+        self.deepest[layer as usize][projection as usize]
+    }
+
+    /// Whether nothing finer of a layer has still to come for a tile.
+    pub fn is_known(&self, layer: Layer, id: TileId) -> bool {
+        self.layers[layer as usize].is_known(id, self.deepest(layer, id.projection))
+    }
+
+    /// Elevations that shaders may find in a tile when they look at map level `coarsest` or a finer one, metres; `None` before the
+    /// first tile.
+    pub fn elevations_m(&self, id: TileId, coarsest: u8) -> Option<Range> {
+        self.layers[Layer::Terrain as usize].range(id, coarsest)
+    }
+
+    /// As [`Streaming::elevations_m`]: signed distances to the ocean's shore, metres, positive in the ocean.
+    pub fn shore_m(&self, id: TileId, coarsest: u8) -> Option<Range> {
+        self.layers[Layer::Water as usize].range(id, coarsest)
+    }
+}
+
+/// A tile and its ancestors.
+fn lineage(id: TileId) -> impl Iterator<Item = TileId> {
+    std::iter::successors(Some(id), |id| id.parent())
+}

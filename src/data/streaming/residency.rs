@@ -1,0 +1,156 @@
+//! Which tiles of a layer the GPU's atlas holds, and in which slot: what is asked for, what makes room, when to ask again.
+
+use std::collections::{HashMap, HashSet};
+
+use super::tile_range::{Range, TileRange};
+use crate::data::SharedTexels;
+use crate::data::fetch::now_s;
+use crate::data::tile::{Layer, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
+
+/// Wait before a tile that could not be had is asked for again, seconds.
+const RETRY_S: f64 = 31.0;
+
+struct Resident {
+    slot: u32,
+    last_used: u64,
+    range: TileRange,
+    /// Of the whole tile, metres.
+    whole: Range,
+}
+
+/// The tiles of one layer.
+pub(super) struct Residency {
+    resident: HashMap<TileId, Resident>,
+    /// Of every tile that is resident or has resident descendants: the range of all of these, metres.
+    at_and_below: HashMap<TileId, Range>,
+    /// Tiles that the archive lacks: their parents serve.
+    absent: HashSet<TileId>,
+    /// Tiles that could not be had, and when to ask again, seconds: until then their parents serve.
+    failed: HashMap<TileId, f64>,
+    free: Vec<u32>,
+    layer: Layer,
+}
+
+impl Residency {
+    /// No tile; slots 1 to `slots` - 1 are free, slot 0 is kept for what is shown before the first tile.
+    pub(super) fn new(layer: Layer, slots: u32) -> Self {
+        Self {
+            resident: HashMap::new(),
+            at_and_below: HashMap::new(),
+            absent: HashSet::new(),
+            failed: HashMap::new(),
+            free: (1..slots).rev().collect(),
+            layer,
+        }
+    }
+
+    /// Notes that `id` is wanted in frame `now`; true when it must be asked for.
+    pub(super) fn want(&mut self, id: TileId, now: u64) -> bool {
+        if let Some(resident) = self.resident.get_mut(&id) {
+            resident.last_used = now;
+            return false;
+        }
+        self.failed.get(&id).is_none_or(|until| *until <= now_s())
+    }
+
+    /// Takes a tile in: its slot, or `None` where every slot holds a tile that is in use.
+    pub(super) fn receive(&mut self, id: TileId, texels: &SharedTexels, now: u64) -> Option<u32> {
+        let slot = self.free.pop().or_else(|| self.evict(now))?;
+        let range = TileRange::new(texels);
+        let whole = self.metres(id, id.z, range.whole());
+        self.resident.insert(id, Resident { slot, last_used: now, range, whole });
+        widen(&mut self.at_and_below, id, whole);
+        Some(slot)
+    }
+
+    /// Notes that the archive has no such tile.
+    pub(super) fn is_absent(&mut self, id: TileId) {
+        self.absent.insert(id);
+    }
+
+    /// Whether the archive is known to have no such tile.
+    pub(super) fn lacks(&self, id: &TileId) -> bool {
+        self.absent.contains(id)
+    }
+
+    /// Notes that a tile could not be had.
+    pub(super) fn has_failed(&mut self, id: TileId) {
+        self.failed.insert(id, now_s() + RETRY_S);
+    }
+
+    /// Resident tiles and their slots.
+    pub(super) fn slots(&self) -> impl Iterator<Item = (TileId, u32)> {
+        self.resident.iter().map(|(id, resident)| (*id, resident.slot))
+    }
+
+    /// Whether nothing finer of `id`, down to level `deepest`, has still to come: the tile itself or, where the archive has none,
+    /// the one that serves for it is resident.
+    pub(super) fn is_known(&self, id: TileId, deepest: u8) -> bool {
+        let mut lineage = super::lineage(id).skip_while(|id| id.z > deepest);
+        lineage.find(|id| !self.absent.contains(id)).is_some_and(|id| self.resident.contains_key(&id))
+    }
+
+    /// Metres that shaders may find inside `id` when they look at level `coarsest` or a finer one: of elevation, or of distance to
+    /// the ocean's shore. `None` before the first tile.
+    pub(super) fn range(&self, id: TileId, coarsest: u8) -> Option<Range> {
+        let serving = super::lineage(id).skip_while(|id| id.z > coarsest).find(|id| self.resident.contains_key(id))?;
+        let above = super::lineage(id).skip(1).take_while(|tile| tile.z >= serving.z);
+        let above =
+            above.filter_map(|tile| Some(self.metres(id, tile.z, self.resident.get(&tile)?.range_in(id, tile.z))));
+        above.chain(self.at_and_below.get(&id).copied()).reduce(Range::union)
+    }
+
+    /// Metres in `id` of a range of a tile of level `z`.
+    fn metres(&self, id: TileId, z: u8, range: Range) -> Range {
+        if self.layer == Layer::Terrain {
+            return range;
+        }
+        // Half a texel at the edge of a tile is a mix with its neighbour, whose distances differ by a texel at most.
+        let (least, greatest) = (range.least - 1.0, range.greatest + 1.0);
+        let [short, long] = texel_sizes_m(id, z);
+        Range {
+            least: least * if least > 0.0 { short } else { long },
+            greatest: greatest * if greatest > 0.0 { long } else { short },
+        }
+    }
+
+    /// Frees the slot that has gone unused longest; roots stay.
+    fn evict(&mut self, now: u64) -> Option<u32> {
+        let old = |(id, r): &(&TileId, &Resident)| id.z > 0 && r.last_used + 1 < now;
+        let id = *self.resident.iter().filter(old).min_by_key(|(_, r)| r.last_used)?.0;
+        let slot = self.resident.remove(&id).map(|r| r.slot);
+        self.at_and_below.clear();
+        self.resident.iter().for_each(|(id, resident)| widen(&mut self.at_and_below, *id, resident.whole));
+        slot
+    }
+}
+
+/// Adds a tile's range to its own and its ancestors' sums.
+fn widen(sums: &mut HashMap<TileId, Range>, id: TileId, range: Range) {
+    for tile in super::lineage(id) {
+        sums.entry(tile).and_modify(|sum| *sum = sum.union(range)).or_insert(range);
+    }
+}
+
+impl Resident {
+    /// Of the texels of this tile of level `z` that lie in its descendant `id`, and one more on each side.
+    fn range_in(&self, id: TileId, z: u8) -> Range {
+        let down = id.z - z;
+        let texel = |column: u32| ((i64::from(column) * TILE_TEXELS as i64) >> down) & (TILE_TEXELS as i64 - 1);
+        let last =
+            |column: u32| (((i64::from(column) + 1) * TILE_TEXELS as i64 - 1) >> down) & (TILE_TEXELS as i64 - 1);
+        self.range.between([texel(id.x) - 1, texel(id.y) - 1], [last(id.x) + 1, last(id.y) + 1])
+    }
+}
+
+/// Of a texel of level `z` inside a tile: the shortest and the longest, metres on the ground.
+fn texel_sizes_m(id: TileId, z: u8) -> [f64; 2] {
+    let side = 2f64.powi(-i32::from(id.z));
+    let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
+    let sizes = corners.map(|(x, y)| {
+        let at = [(f64::from(id.x) + x) * side, (f64::from(id.y) + y) * side];
+        let (lat, _) = lat_lon_from_map(id.projection, at[0], at[1]);
+        texel_size_m(id.projection, z, lat)
+    });
+    [sizes.into_iter().fold(f64::INFINITY, f64::min), sizes.into_iter().fold(0.0, f64::max)]
+}

@@ -1,0 +1,122 @@
+//! The least and the greatest value of a tile's texels, whole and in blocks.
+
+use crate::data::TileTexels;
+use crate::data::tile::TILE_TEXELS;
+use crate::data::water::{SHORE, STEPS_PER_TEXEL};
+
+/// Texels along a side of the smallest block.
+const BLOCK: usize = 4;
+
+/// Least and greatest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The least value.
+    pub least: f64,
+    /// The greatest value.
+    pub greatest: f64,
+}
+
+impl Range {
+    /// What holds both.
+    pub fn union(self, other: Self) -> Self {
+        Self { least: self.least.min(other.least), greatest: self.greatest.max(other.greatest) }
+    }
+}
+
+/// A pyramid over one tile: of blocks of 4 x 4 texels, of 8 x 8, and so on to the whole tile.
+pub struct TileRange {
+    /// Least and greatest in steps, rounded outwards; row by row, the finest level first.
+    levels: Vec<Vec<[i16; 2]>>,
+    /// Of a step: metres of elevation, or texels of distance.
+    step: f64,
+}
+
+impl TileRange {
+    /// Of elevations in metres, or of distances to the ocean's shore in texels of the tile, positive in the ocean.
+    pub fn new(texels: &TileTexels) -> Self {
+        let (finest, step) = match texels {
+            TileTexels::Terrain(metres) => (blocks(|at| [metres[at].floor() as i16, metres[at].ceil() as i16]), 1.0),
+            TileTexels::Water(texels) => {
+                let steps = |at: usize| [i16::from(texels[at][0]) - i16::from(SHORE); 2];
+                (blocks(steps), 1.0 / STEPS_PER_TEXEL)
+            }
+        };
+        let mut levels = vec![finest];
+        let mut side = TILE_TEXELS / BLOCK;
+        while side > 1 {
+            side /= 2;
+            let finer = &levels[levels.len() - 1];
+            let of = |i: usize| {
+                let corner = (i / side) * 4 * side + (i % side) * 2;
+                [1, 2 * side, 2 * side + 1]
+                    .iter()
+                    .fold(finer[corner], |range, next| widened(range, finer[corner + next]))
+            };
+            let coarser = (0..side * side).map(of).collect();
+            levels.push(coarser);
+        }
+        Self { levels, step }
+    }
+
+    /// Of all texels between two, these included, and of some beside them: blocks are not cut. Columns and rows beyond the tile's
+    /// edge count as the edge.
+    pub fn between(&self, first: [i64; 2], last: [i64; 2]) -> Range {
+        let inside = |at: i64| at.clamp(0, TILE_TEXELS as i64 - 1) as usize;
+        let (first, last) = (first.map(inside), last.map(inside));
+        let widest = (last[0] - first[0]).max(last[1] - first[1]);
+        let level = (0..self.levels.len()).find(|level| widest <= 4 * (BLOCK << level)).unwrap_or(0);
+        let (block, side) = (BLOCK << level, TILE_TEXELS / (BLOCK << level));
+        let rows = first[1] / block..=last[1] / block;
+        let blocks = rows.flat_map(|row| (first[0] / block..=last[0] / block).map(move |column| row * side + column));
+        let [least, greatest] = blocks
+            .map(|at| self.levels[level][at])
+            .reduce(widened)
+            .unwrap_or_default()
+            .map(|x| f64::from(x) * self.step);
+        Range { least, greatest }
+    }
+
+    /// Of all texels.
+    pub fn whole(&self) -> Range {
+        self.between([0; 2], [TILE_TEXELS as i64 - 1; 2])
+    }
+}
+
+fn widened(a: [i16; 2], b: [i16; 2]) -> [i16; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// The finest level, from what is known of each texel.
+fn blocks(of: impl Fn(usize) -> [i16; 2]) -> Vec<[i16; 2]> {
+    let side = TILE_TEXELS / BLOCK;
+    let mut blocks = vec![[i16::MAX, i16::MIN]; side * side];
+    for at in 0..TILE_TEXELS * TILE_TEXELS {
+        let block = &mut blocks[(at / TILE_TEXELS / BLOCK) * side + at % TILE_TEXELS / BLOCK];
+        *block = widened(*block, of(at));
+    }
+    blocks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_holds_every_texel_of_its_place() {
+        let metres = |at: usize| ((at * 7919) % 20_011) as f32 * 0.7 - 9_000.0;
+        let all: Vec<f32> = (0..TILE_TEXELS * TILE_TEXELS).map(metres).collect();
+        let range = TileRange::new(&TileTexels::Terrain(all.clone()));
+        for (first, last) in [([0, 0], [255, 255]), ([-3, 17], [40, 300]), ([8, 9], [8, 9]), ([100, 3], [131, 3])] {
+            let found = range.between(first, last);
+            let inside = |a: [i64; 2]| a.map(|x: i64| x.clamp(0, 255) as usize);
+            let ([x0, y0], [x1, y1]) = (inside(first), inside(last));
+            for (x, y) in (y0..=y1).flat_map(|y| (x0..=x1).map(move |x| (x, y))) {
+                let value = f64::from(all[y * TILE_TEXELS + x]);
+                assert!(found.least <= value && value <= found.greatest, "{first:?} to {last:?}: {value}, {found:?}");
+            }
+        }
+        // The whole tile's is tight: rounded to a metre.
+        let (least, greatest) = all.iter().fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(*x), b.max(*x)));
+        assert_eq!(range.whole(), Range { least: least.floor().into(), greatest: greatest.ceil().into() });
+    }
+}

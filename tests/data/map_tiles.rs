@@ -1,0 +1,91 @@
+//! Map tiles in view: what the sea hides is deep ocean all over, wherever one looks closer.
+
+use std::time::{Duration, Instant};
+
+use ocean_globe::data::streaming::Streaming;
+use ocean_globe::data::tile::{TileId, lat_lon_from_map};
+use ocean_globe::data::world::World;
+use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
+use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::scene::view::map_tiles::{DEEPEST_MESH, Hiding, drawn_tiles, wanted_tiles};
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+const SIZE: [u32; 2] = [640, 360];
+
+/// Loads all that a view needs.
+fn load(streaming: &mut Streaming, world: &mut World, camera: &Camera) {
+    let start = Instant::now();
+    loop {
+        streaming.receive(world);
+        let wanted = wanted_tiles(camera, SIZE, streaming);
+        if streaming.want(world, &wanted, camera.lat, camera.lon) {
+            return;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "still loading after a minute");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// Whether one of two tiles holds the other.
+fn overlap(a: TileId, b: TileId) -> bool {
+    a.ancestor(b.z) == Some(b) || b.ancestor(a.z) == Some(a)
+}
+
+/// Places in a tile: its corners and some between, pulled in by a hair.
+fn places(id: TileId) -> impl Iterator<Item = (f64, f64)> {
+    let side = 2f64.powi(-i32::from(id.z));
+    let steps = (0..9).map(|i| f64::from(i).mul_add(0.124, 0.004));
+    steps
+        .clone()
+        .flat_map(move |x| steps.clone().map(move |y| (x, y)))
+        .map(move |(x, y)| lat_lon_from_map(id.projection, (f64::from(id.x) + x) * side, (f64::from(id.y) + y) * side))
+}
+
+#[test]
+fn what_the_sea_hides_is_deep_ocean() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    let mut judged = 0;
+    // Coasts with islets, an archipelago, a shelf sea, the antimeridian, both polar maps; water of three densities.
+    for (place, rho) in [
+        ([28.8545, -13.792, 560.0, 253.0, 71.0], 0.2),
+        ([28.8545, -13.792, 30_000.0, 253.0, 20.0], 0.1),
+        ([-17.6, 179.9, 2_000.0, 90.0, 80.0], 0.3),
+        ([54.5, 3.0, 300.0, 180.0, 75.0], 0.2),
+        ([60.2, 21.0, 5_000.0, 200.0, 60.0], 0.2),
+        ([35.68, -14.25, 2.0, 262.0, 83.0], 0.1),
+        ([86.0, 20.0, 20_000.0, 10.0, 60.0], 0.2),
+        ([-76.5, 170.0, 20_000.0, 180.0, 60.0], 0.2),
+        ([29.0, -14.0, 300_000.0, 0.0, 0.0], 0.2),
+        ([16.0, -25.0, 3e7, 0.0, 0.0], 0.2),
+    ] {
+        let [lat, lon, altitude_m, heading, tilt] = place;
+        let camera = Camera::from_degrees(lat, lon, altitude_m, heading, tilt);
+        let hiding = Hiding { depth_m: opaque_depth_m(rho), resolution_m: 9_277.0 };
+        load(&mut streaming, &mut world, &camera);
+        let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
+        let hidden: Vec<_> = all.iter().filter(|id| !drawn.iter().any(|other| overlap(**id, *other))).collect();
+        for id in &hidden {
+            for (lat, lon) in places(**id) {
+                let sample = world.sample_blocking(lat, lon).unwrap();
+                let depth_m = sample.depth_m.unwrap_or_else(|| panic!("{id} of {place:?} holds land at {lat}, {lon}"));
+                // Half a texel's mix at the edge of a tile, and the rounding of distances, move the depth near the threshold.
+                let alpha = water_alpha(rho, depth_m);
+                assert!(alpha > OPAQUE_ALPHA - 0.002, "{id} of {place:?}: {depth_m} m deep at {lat}, {lon}");
+                judged += 1;
+            }
+        }
+        println!("{place:?}: {} drawn, {} hidden", drawn.len(), hidden.len());
+    }
+    assert!(judged > 2_000, "only {judged} places judged");
+}
+
+#[test]
+fn over_the_open_ocean_no_bed_is_drawn_and_under_an_eye_in_it_all_of_it() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    let camera = Camera::from_degrees(35.6812, -14.25, 2.0, 262.0, 83.0);
+    let hiding = Hiding { depth_m: opaque_depth_m(0.2), resolution_m: 9_277.0 };
+    load(&mut streaming, &mut world, &camera);
+    let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
+    assert!(drawn.is_empty(), "{drawn:?}");
+    assert!(all.iter().any(|id| id.z == DEEPEST_MESH), "{all:?}");
+}
