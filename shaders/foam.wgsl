@@ -27,13 +27,13 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     let cells = serving(p, now.cells);
     let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
-    for (var node = 0u; node < now.cells; node++) {
+    for (var left = cells.cells; left != 0u; left &= left - 1u) {
+        let node = firstTrailingBit(left);
         let share = cell_weight(node, p, cells);
-        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
-        for (var c = 0u; c < frame.cascade_count; c++) {
+        // The longest tile comes first.
+        for (var c = 0u; c < frame.cascade_count && frame.patches[c] >= SHORTEST_TILE_TEXELS * footprint; c++) {
             let length = frame.patches[c];
-            if length < SHORTEST_TILE_TEXELS * footprint { continue; }
             let lod = mip_for(footprint, length, texels);
             let triangle = triangle_around(node, c, frame.spacings[c], q);
             for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {

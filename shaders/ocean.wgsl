@@ -1,5 +1,6 @@
 // The sea: either mesh, moved by the waves along the ellipsoid's normal, shaded over what the land pass left. The water class
-// decides what is sea, never the depth buffer.
+// decides what is sea, never the depth buffer. Which picture it is part of is known when it is compiled (`Look` in src/pass/ocean.rs):
+// `MEASURED` where pixels report a layer, `UNDER_WATER` where the eye is in the sea.
 #import projected_grid
 #import bisected_mesh
 #import world
@@ -122,7 +123,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         misses = distance < 0.0;
         if misses {
             // A measured layer says what lies under the middle of a pixel; a picture, what fills it.
-            if limb.share <= 0.0 || frame.output != PICTURE {
+            if limb.share <= 0.0 || MEASURED {
                 discard;
                 return vec4f(0.0);
             }
@@ -131,6 +132,16 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         rest = direction * distance;
         moved = rest;
     }
+    // Land in front of the water hides it; the bed just under it does not.
+    let pixel = vec2u(in.position.xy);
+    let land_depth = textureLoad(scene_depth, pixel, 0);
+    let axis_distance = dot(moved, frame.ray_forward);
+    // 0.4 % of the distance and 2 m cover the chords of the land's triangles; depth = NEAR / distance.
+    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR {
+        discard;
+        return vec4f(0.0);
+    }
+
     let dn = normal_delta(rest);
     let up = dn + vec3f(0.0, 0.0, 1.0);
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
@@ -143,31 +154,22 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         return vec4f(0.0);
     }
 
-    // Land in front of the water hides it; the bed just under it does not.
-    let pixel = vec2u(in.position.xy);
-    let land_depth = textureLoad(scene_depth, pixel, 0);
-    let axis_distance = dot(moved, frame.ray_forward);
-    let behind = textureLoad(scene_colour, pixel, 0).rgb;
-    // 0.4 % of the distance and 2 m cover the chords of the land's triangles; depth = NEAR / distance.
-    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR {
-        discard;
-        return vec4f(0.0);
-    }
-
     let depth = -ground.elevation;
     let alpha = water_alpha(depth);
     let slopes = slopes_at(rest, distance, footprint);
     let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
-    if frame.under_water == 1u {
+    if UNDER_WATER {
         let seen = through_water(window_radiance(direction, normal, up), distance);
+        if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
         return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), seen);
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
     let foam_footprint = across / pow(grazing, 0.9);
     let foam = calmed * foam_lace(foam_share(foam_at, in.height, foam_footprint), foam_at, foam_footprint);
+    let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
     let air = scatter_to_surface(direction, distance);
@@ -178,5 +180,6 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let beyond = clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0);
         radiance = mix(textureLoad(scene_colour, vec2u(beyond), 0).rgb / max(frame.exposure, 1e-9), radiance, limb.share);
     }
+    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
 }

@@ -11,7 +11,7 @@ use crate::model::sea_tables::SeaTables;
 use crate::pass::backdrop::Backdrop;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
-use crate::pass::ocean::Ocean;
+use crate::pass::ocean::{Look, Ocean};
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::tonemap::Tonemap;
@@ -176,7 +176,8 @@ impl Renderer {
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
-        self.ocean.prepare(&self.gpu, self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect));
+        let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
+        self.ocean.prepare(&self.gpu, mesh, Look::of(&frame.uniform));
         // Coarse tiles are far ones.
         self.land.set_tiles(&self.gpu, self.visible.iter().rev());
         self.dispatches = self.sky_table.dispatches() + self.surface.dispatches() + self.mesh.dispatches();
@@ -205,7 +206,7 @@ impl Renderer {
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", &texture::view(&targets.radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
-                self.ocean.draw(&mut pass, frame_group, surface, self.mesh.drawn());
+                self.ocean.draw(&mut pass, &frame.uniform, frame_group, surface, self.mesh.drawn());
             }
             self.backdrop.draw(&mut pass);
         }

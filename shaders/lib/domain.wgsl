@@ -9,8 +9,9 @@ const ROW: f32 = 0.875;
 const POLAR_REACH: f32 = 0.0133;
 const PERLIN_TILE = 4u;
 
-// What the weights of the cells that serve a point depend on: the distance to the nearest one, and their norm.
-struct Serving { nearest: f32, norm: f32 }
+// What the weights of the cells that serve a point depend on: the distance to the nearest one, and their norm. A bit of `cells` for each
+// that serves: nearly everywhere one alone does, and loops over the bits meet no other.
+struct Serving { nearest: f32, norm: f32, cells: u32 }
 
 // A cell serves up to BLEND_WIDTH beyond the nearest one.
 fn reach_weight(node: u32, p: vec3f, nearest: f32) -> f32 {
@@ -22,11 +23,13 @@ fn serving(p: vec3f, count: u32) -> Serving {
     var nearest = 1e30;
     for (var i = 0u; i < count; i++) { nearest = min(nearest, distance(p, nodes[i].origin)); }
     var squares = 0.0;
+    var cells = 0u;
     for (var i = 0u; i < count; i++) {
         let w = reach_weight(i, p, nearest);
         squares += w * w;
+        cells |= select(0u, 1u << i, w > 0.0);
     }
-    return Serving(nearest, inverseSqrt(max(squares, 1e-6)));
+    return Serving(nearest, inverseSqrt(max(squares, 1e-6)), cells);
 }
 
 // A cell's weight at a point; squares sum to one.

@@ -51,7 +51,9 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
     let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
     var open = 1.0;
     var share = 0.0;
-    for (var level = 0u; level < FOAM_LEVELS; level++) {
+    var first = 0u;
+    while first + 1u < FOAM_LEVELS && coarser_than(frame.foam_levels[first].side, footprint) <= 0.0 { first++; }
+    for (var level = first; level < FOAM_LEVELS && open > 0.0; level++) {
         let square = frame.foam_levels[level];
         let reach = max(abs(at.x), abs(at.y)) / (square.side * f32(FOAM_TEXELS / 2));
         let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(square.side, footprint);

@@ -5,7 +5,8 @@
 // Share of the grid below the lower edge.
 fn low_rim() -> f32 { return select(0.02, 0.35, frame.rim_reach > 0.0); }
 
-const CELL_PIXELS = 4.2;       // height of the grid's cells where no rim takes some of them, at most
+// Height of a strip of cells that stands on the horizon, and of the rows over it that lead back down, in cells.
+const STRIP_ROWS = 6.0;
 
 // The ellipsoid's point under a device coordinate, cast from the projector.
 fn projected(device: vec2f) -> vec3f {
@@ -26,12 +27,16 @@ fn projected(device: vec2f) -> vec3f {
     }
     // Near, the point of the horizon below the ray, so that no triangle spans the sea.
     let tangent = sqrt(max(ray.c, 0.0) / ray.a);
-    let dip = sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z;
+    // Sine and cosine of the angle between the horizon and level.
+    let dip = min(sqrt(max(ray.a * ray.c, 0.0)) / frame.projector_gradient.z, 1.0);
+    let along = sqrt(1.0 - dip * dip);
     let level = max(length(direction.xy), 1e-6);
-    // Where the horizon's waves are smaller than pixels a strip stands on it, a few cells high: those fragments know their share of it.
-    let cell = CELL_PIXELS * frame.pixel_angle / (1.0 - low_rim());
-    let strip = select(0.0, clamp(direction.z / level + dip - cell, 0.0, cell), waves_are_pixels(tangent) && frame.under_water == 0u);
-    return tangent * vec3f(direction.xy / level, strip - dip) + rise;
+    // Where the horizon's waves are smaller than pixels a strip stands on it, a cell high: those fragments know their share of it. Rows
+    // farther up lie on the horizon again: over the zenith a triangle spans the whole sea, and must do so below the eye.
+    let cell = 1.05 * frame.cell_pixels * frame.pixel_angle / (1.0 - low_rim());
+    let above = direction.z / level + dip;
+    let strip = select(0.0, clamp(min(above - cell, STRIP_ROWS * cell - above), 0.0, cell), waves_are_pixels(tangent) && frame.under_water == 0u);
+    return tangent * vec3f(along * direction.xy / level, strip - dip) + rise;
 }
 
 const EDGE = 1.02;             // the even part of the grid reaches this far, in device units

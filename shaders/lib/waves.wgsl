@@ -32,8 +32,31 @@ fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
     return 1.0 - smoothstep(0.1, 0.4, footprint / patch_length);
 }
 
+// Tiles of which something is left, the longest of all first: how many, and how many whose longest waves, a sixth of the tile, are two
+// footprints or longer. Of the others neighbouring footprints share nothing: there one vertex of the lattice serves as well as three,
+// with no seam to be seen, and their chop steepens no crest that shows.
+struct Shown { all: u32, clear: u32 }
+
+fn shown_cascades(footprint: Metres) -> Shown {
+    var shown = Shown(0u, 0u);
+    for (var c = 0u; c < frame.cascade_count; c++) {
+        let tiles = footprint / frame.patches[c];
+        shown.all += u32(tiles < 0.4);
+        shown.clear += u32(tiles < 1.0 / 12.0);
+    }
+    return shown;
+}
+
 fn any_resolvable(footprint: Metres) -> bool {
     return resolvable(footprint, max(frame.patches.x, frame.perlin_patch)) > 0.0;
+}
+
+// The triangle, or its greatest vertex alone.
+fn served(triangle: Triangle, whole: bool) -> Triangle {
+    if whole { return triangle; }
+    var one = triangle;
+    one.weights = vec3f(1.0, 0.0, 0.0);
+    return one;
 }
 
 // Displacement (east, north, up) of the rest point `p`. A tile's axes lie in the plane of its cell's centre; here the water moves level.
@@ -43,16 +66,16 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     let cells = serving(p, frame.node_count);
     let texels = f32(textureDimensions(displacements).x);
     var sum = vec3f(0.0);
-    for (var node = 0u; node < frame.node_count; node++) {
+    let shown = shown_cascades(footprint);
+    for (var left = cells.cells; left != 0u; left &= left - 1u) {
+        let node = firstTrailingBit(left);
         let share = cell_weight(node, p, cells);
-        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
-        for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
+        for (var c = 0u; c < shown.all && weights.x > 0.0; c++) {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
-            if fade <= 0.0 { continue; }
             let lod = mip_for(footprint, length, texels);
-            let triangle = triangle_around(node, c, frame.spacings[c], q);
+            let triangle = served(triangle_around(node, c, frame.spacings[c], q), c < shown.clear);
             for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
                 let w = share * triangle.weights[k] * weights.x * fade;
                 let here = cascade_placement(node, c, triangle, k, texels);
@@ -110,28 +133,36 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let near = weights.x * weights.x;
     let far = weights.y * weights.y;
     var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
-    for (var node = 0u; node < frame.node_count; node++) {
+    let shown = shown_cascades(footprint);
+    for (var c = shown.all; c < frame.cascade_count; c++) { rough += near * cascade_slopes(c); }
+    for (var left = cells.cells; left != 0u; left &= left - 1u) {
+        let node = firstTrailingBit(left);
         let share = cell_weight(node, p, cells);
-        if share <= 0.0 { continue; }
         let q = in_plane(node, p);
-        for (var c = 0u; c < frame.cascade_count && weights.x > 0.0; c++) {
+        for (var c = shown.clear; c < shown.all && weights.x > 0.0; c++) {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
-            if fade <= 0.0 {
-                rough += near * share * share * cascade_slopes(c);
-                continue;
-            }
+            let w = share * weights.x;
+            let triangle = triangle_around(node, c, frame.spacings[c], q);
+            let here = cascade_placement(node, c, triangle, 0u, texels);
+            let means = textureSampleLevel(slopes, repeated, here.at, c, mip_for(footprint, length, texels));
+            let seen = fade * means.xy;
+            slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
+            rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
+        }
+        for (var c = 0u; c < shown.clear && weights.x > 0.0; c++) {
+            let length = frame.patches[c];
             let lod = mip_for(footprint, length, texels);
             let triangle = triangle_around(node, c, frame.spacings[c], q);
             for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
                 let w = share * triangle.weights[k] * weights.x;
                 let here = cascade_placement(node, c, triangle, k, texels);
                 let means = textureSampleLevel(slopes, repeated, here.at, c, lod);
-                let shown = fade * means.xy;
-                slope += w * (shown.x * here.axis_x + shown.y * here.axis_y);
-                rough += w * w * max(means.zw - shown * shown, vec2f(0.0));
+                slope += w * (means.x * here.axis_x + means.y * here.axis_y);
+                rough += w * w * max(means.zw - means.xy * means.xy, vec2f(0.0));
+                if frame.chop == 0.0 { continue; }
                 let stretch = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
-                gradient += turned(w * fade * frame.chop * stretch, here.axis_x, here.axis_y);
+                gradient += turned(w * frame.chop * stretch, here.axis_x, here.axis_y);
             }
         }
         if weights.y > 0.0 {
@@ -143,11 +174,11 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
                 let w = share * triangle.weights[k] * weights.y;
                 let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
                 let noise = textureSampleLevel(perlin, repeated, here.at, lod);
-                let shown = fade * noise.yz;
-                slope += w * (shown.x * here.axis_x + shown.y * here.axis_y);
+                let seen = fade * noise.yz;
+                slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
                 // The tile holds the sum of both axes' squares; its own slopes say how they share it.
                 let total = mix(own.x + own.y, noise.w, fade);
-                rough += w * w * max(total - dot(shown, shown), 0.0) * own / max(own.x + own.y, 1e-9);
+                rough += w * w * max(total - dot(seen, seen), 0.0) * own / max(own.x + own.y, 1e-9);
             }
         }
     }

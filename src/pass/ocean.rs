@@ -3,18 +3,50 @@
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, DepthTest};
 use crate::gpu::{Gpu, shader};
+use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
+/// What the shader knows of a picture when it is compiled, so that no pixel pays for another kind of picture: software rasterisers
+/// run both sides of every branch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Look {
+    /// Pixels report a measured layer.
+    pub measured: bool,
+    /// The eye is in the sea.
+    pub under_water: bool,
+}
+
+impl Look {
+    /// Every one.
+    pub const ALL: [Self; 4] =
+        [Self::new(false, false), Self::new(true, false), Self::new(false, true), Self::new(true, true)];
+
+    const fn new(measured: bool, under_water: bool) -> Self {
+        Self { measured, under_water }
+    }
+
+    /// That of a frame.
+    pub fn of(u: &FrameUniform) -> Self {
+        Self::new(u.output != 0, u.under_water != 0)
+    }
+
+    fn index(self) -> usize {
+        usize::from(self.measured) + 2 * usize::from(self.under_water)
+    }
+}
+
 /// The composed shader.
-pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/ocean.wgsl"), "")
+pub fn source(Look { measured, under_water }: Look) -> String {
+    let look = format!("const MEASURED: bool = {measured};\nconst UNDER_WATER: bool = {under_water};");
+    shader::composed(include_str!("../../shaders/ocean.wgsl"), &look)
 }
 
 /// The pass.
 pub struct Ocean {
     layouts: [wgpu::BindGroupLayout; 4],
     formats: [wgpu::TextureFormat; 2],
-    pipelines: [Option<wgpu::RenderPipeline>; 2],
+    /// By mesh and look.
+    pipelines: [[Option<wgpu::RenderPipeline>; 4]; 2],
     scene: Option<wgpu::BindGroup>,
     cells: [u32; 2],
     vertices: wgpu::Buffer,
@@ -25,6 +57,35 @@ pub struct Ocean {
 /// Columns and rows of the grid of a picture of `size` pixels.
 pub fn grid_cells(size: [u32; 2], cell_pixels: u32) -> [u32; 2] {
     size.map(|pixels| pixels.div_ceil(cell_pixels).max(16))
+}
+
+/// Share of the grid below the lower edge, and the even part's reach beyond the edges: `low_rim` and `EDGE` in
+/// `shaders/lib/projected_grid.wgsl`.
+const LOW_RIM: [f32; 2] = [0.02, 0.35];
+const EDGE: f32 = 1.02;
+/// Rows above the horizon that are drawn, in cells: the strip on it and the way back down (`STRIP_ROWS`), and as many again for the
+/// ellipsoid's flattening and for the 16 pixels beyond the limb.
+const ROWS_ABOVE: f32 = 12.0;
+
+/// How many of the grid's `rows`, counted from the lowest, hold any sea: those far above the horizon all lie on it.
+pub fn rows_to_draw(u: &FrameUniform, rows: u32) -> u32 {
+    if u.under_water != 0 {
+        return rows;
+    }
+    let low_rim = LOW_RIM[usize::from(u.rim_reach > 0.0)];
+    let height = (u.eye_altitude + u.projector_rise).max(0.0);
+    let dip = (u.semi_major / (u.semi_major + height)).acos();
+    // From space the horizon of an ellipsoid is up to 1/298 rad off that of a sphere.
+    let least = (ROWS_ABOVE * 1.05 * u.cell_pixels * u.pixel_angle / (1.0 - low_rim) + 0.004 * dip.min(1.0)) - dip;
+    let above = |row: &u32| {
+        let y = *row as f32 / rows as f32;
+        let device = -EDGE + (2.0 * EDGE + 0.03) * ((y - low_rim) / (1.0 - low_rim)).max(0.0);
+        let elevation = |x: f32| (u.ray_forward + x * u.ray_right + device * u.ray_up).normalize().z.asin();
+        y > low_rim && elevation(0.0).min(elevation(EDGE)).min(elevation(-EDGE)) > least
+    };
+    // The first row that lies too high is the upper edge of the last that does not.
+    let kept = rows - (0..rows).rev().take_while(above).count() as u32;
+    (kept + 1).min(rows)
 }
 
 fn mesh([columns, rows]: [u32; 2]) -> (Vec<[f32; 2]>, Vec<u32>) {
@@ -49,7 +110,7 @@ impl Ocean {
         Self {
             layouts: [frame.clone(), surface.clone(), scene, triangles.clone()],
             formats,
-            pipelines: [None, None],
+            pipelines: Default::default(),
             scene: None,
             cells: [0; 2],
             vertices: empty(wgpu::BufferUsages::VERTEX),
@@ -59,9 +120,9 @@ impl Ocean {
     }
 
     /// Compiles what a mesh is drawn with, once: it takes a while, and most pictures need only one of them.
-    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh) {
+    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look) {
         let Self { layouts, formats: [colour, depth], pipelines, .. } = self;
-        pipelines[mesh as usize].get_or_insert_with(|| {
+        pipelines[mesh as usize][look.index()].get_or_insert_with(|| {
             let attributes = wgpu::vertex_attr_array![0 => Float32x2];
             let grid = wgpu::VertexBufferLayout {
                 array_stride: 8,
@@ -73,7 +134,7 @@ impl Ocean {
                 Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
             };
             let groups: Vec<_> = layouts.iter().take(groups).collect();
-            gpu.drawing("ocean", (&source(), vertex), &groups, &buffers, *colour, Some((*depth, DepthTest::Nearest)))
+            gpu.drawing("ocean", (&source(look), vertex), &groups, &buffers, *colour, Some((*depth, DepthTest::Nearest)))
         });
     }
 
@@ -100,16 +161,17 @@ impl Ocean {
         [self.cells.map(|n| n + 1).iter().product(), self.index_count / 3]
     }
 
-    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw.
+    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `u` is the block in `frame`.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
+        u: &FrameUniform,
         frame: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
     ) {
         let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
-        let Some(pipeline) = &self.pipelines[mesh as usize] else { return };
+        let Some(pipeline) = &self.pipelines[mesh as usize][Look::of(u).index()] else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
@@ -121,6 +183,6 @@ impl Ocean {
         }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(u, self.cells[1]), 0, 0..1);
     }
 }

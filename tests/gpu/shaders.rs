@@ -8,6 +8,7 @@ use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
 use ocean_globe::pass::fft::Precision;
+use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap};
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -24,12 +25,12 @@ fn all() -> Vec<(&'static str, String)> {
         ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source()),
         ("mips.wgsl", mips::source("rgba16float")),
-        ("ocean.wgsl", ocean::source()),
         ("perlin.wgsl", perlin::source()),
         ("sky.wgsl", sky::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("tonemap.wgsl", tonemap::source()),
     ];
+    all.extend(Look::ALL.map(|look| ("ocean.wgsl", ocean::source(look))));
     all.extend(sizes);
     all
 }
@@ -99,7 +100,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         ("WaveAnchor", uniform::WaveAnchor::MEMBERS, size_of::<uniform::WaveAnchor>()),
         ("FoamLevel", uniform::FoamLevel::MEMBERS, size_of::<uniform::FoamLevel>()),
     ] {
-        let (found, span) = layout(&ocean::source(), name);
+        let (found, span) = layout(&ocean::source(Look::default()), name);
         let declared: Vec<_> = members.iter().map(|&(member, offset)| (member.to_string(), offset)).collect();
         assert_eq!(found, declared, "{name}");
         assert_eq!(span, size, "size of {name}");
@@ -110,7 +111,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         foam_history::FoamStep,
         [previous, grow, keep, empty, cells, unused_a, unused_b]
     );
-    let block = [ocean::source(), bisect::source()];
+    let block = [ocean::source(Look::default()), bisect::source()];
     for source in block {
         assert_mirror!(
             source,
@@ -157,7 +158,7 @@ fn structs_have_the_same_members_at_the_same_places() {
     );
     // The sea reads the accounts as an array of floats.
     let coarseness = std::mem::offset_of!(bisect::State, coarseness) / 4;
-    assert_eq!(constant(&ocean::source(), "COARSENESS"), coarseness as f64);
+    assert_eq!(constant(&ocean::source(Look::default()), "COARSENESS"), coarseness as f64);
     assert_mirror!(
         fft::source(64, Precision::Half),
         "Evolution",
@@ -197,7 +198,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 
 #[test]
 fn constants_are_equal_on_both_sides() {
-    let ocean = ocean::source();
+    let ocean = ocean::source(Look::default());
     let land = land::source();
     assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
