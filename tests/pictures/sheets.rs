@@ -3,6 +3,7 @@
 
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::Output;
 use ocean_globe::scene::view::state::ViewState;
 use serde_json::Value;
 
@@ -24,16 +25,26 @@ fn state(sea: &str, place: &Value, height: &Value, mesh: &str) -> ViewState {
     render::parse_state(&link).unwrap()
 }
 
-/// Number of pixels of ocean, and their mean luminance; refuses a picture that is not whole.
-fn ocean(renderer: &mut Renderer, state: &ViewState, what: &str) -> (usize, f64) {
-    let mut layer = |layer| render::measure(renderer, state, SIZE, layer).unwrap().values;
-    let (luminance, class) = (layer(LayerName::Luminance), layer(LayerName::Class));
+/// Number of pixels of ocean, and their mean luminance; refuses a picture that is not whole. Then the picture.
+fn ocean(renderer: &mut Renderer, state: &ViewState, what: &str) -> (usize, f64, Vec<u8>) {
+    let class = render::measure(renderer, state, SIZE, LayerName::Class).unwrap().values;
+    // One drawing gives the picture and its luminance.
+    let (frame, target) = render::draw(renderer, state, SIZE, Output::Picture).unwrap();
+    let [picture, radiance] =
+        [&target, renderer.radiance().unwrap()].map(|texture| renderer.gpu().read_texture(texture, 0, 0).unwrap());
+    let exposure = f64::from(frame.uniform.exposure);
+    let luminance: Vec<f64> = radiance
+        .chunks_exact(16)
+        .map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel).map(f64::from))
+        .map(|[r, g, b, _]| (0.2126 * r + 0.7152 * g + 0.0722 * b) / exposure)
+        .collect();
+    assert_eq!(luminance.len(), class.len());
     for (at, (luminance, class)) in luminance.iter().zip(&class).enumerate() {
         assert!(luminance.is_finite(), "{what}: {luminance} at pixel {at}");
         assert!(*luminance > 0.0 || class.is_nan(), "{what}: black at pixel {at}");
     }
     let water: Vec<_> = luminance.iter().zip(&class).filter(|(_, class)| **class == 1.0).map(|(l, _)| *l).collect();
-    (water.len(), water.iter().sum::<f64>() / water.len() as f64)
+    (water.len(), water.iter().sum::<f64>() / water.len() as f64, picture)
 }
 
 #[test]
@@ -52,13 +63,13 @@ fn every_place_at_every_height_is_whole_and_the_same_by_both_meshes() {
             let what = format!("{} from {} m", place["name"], height["altitude_m"]);
             let seen = ["grid", "bisect,8,10000"].map(|mesh| {
                 let state = state(sea, place, height, mesh);
-                let picture = render::picture(&mut renderer, &state, SIZE).unwrap();
+                let (count, mean, picture) = ocean(&mut renderer, &state, &format!("{what} by {mesh}"));
                 let sheet = &mut sheets[usize::from(mesh != "grid")];
                 for (y, pixels) in picture.chunks_exact(4 * w).enumerate() {
                     let at = 4 * ((row * h + y) * sheet_size[0] + column * w);
                     sheet[at..at + 4 * w].copy_from_slice(pixels);
                 }
-                ocean(&mut renderer, &state, &format!("{what} by {mesh}"))
+                (count, mean)
             });
             let [(count, mean), (count_bisected, mean_bisected)] = seen;
             println!(

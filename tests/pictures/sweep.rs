@@ -136,14 +136,17 @@ fn sweep(mesh: &str) {
         }
         let picture = film.draw(&frame);
         let inside = inside_limb(&frame.camera);
-        for (pixel, rgb) in picture.iter().enumerate() {
-            let at = centre(pixel);
-            let here = format!("{mesh}, frame {index} from {:.1} m, pixel {at}: {rgb:?}", frame.camera.altitude_m);
-            assert!(rgb.iter().all(|x| x.is_finite() && *x >= 0.0), "{here}");
-            assert!(f64::from(rgb[0]) < UNDRAWN / 2.0, "a crack: {here}");
-            assert!(!inside[pixel] || luma(rgb) > 0.0, "black: {here}");
-        }
         let lumas: Vec<_> = picture.iter().map(luma).collect();
+        for (pixel, rgb) in picture.iter().enumerate() {
+            // Formatted for a fault alone: there are millions of pixels.
+            let here = || {
+                let at = centre(pixel);
+                format!("{mesh}, frame {index} from {:.1} m, pixel {at}: {rgb:?}", frame.camera.altitude_m)
+            };
+            assert!(rgb.iter().all(|x| x.is_finite() && *x >= 0.0), "{}", here());
+            assert!(f64::from(rgb[0]) < UNDRAWN / 2.0, "a crack: {}", here());
+            assert!(!inside[pixel] || lumas[pixel] > 0.0, "black: {}", here());
+        }
         if let Some(last) = &last {
             let mut change: Vec<_> = lumas.iter().zip(last).map(|(now, was)| (now - was).abs()).collect();
             change.sort_by(f64::total_cmp);
@@ -159,8 +162,12 @@ fn sweep(mesh: &str) {
             for (pixel, rgb) in film.draw(&alone).iter().enumerate() {
                 if inside[pixel] && is_open_ocean(&mut world, &frame.camera, pixel) {
                     searched += 1;
-                    let here = format!("frame {index} from {:.1} m, pixel {}", frame.camera.altitude_m, centre(pixel));
-                    assert!(f64::from(rgb[0]) < UNDRAWN / 2.0, "{mesh}: a hole in the sea: {here}");
+                    assert!(
+                        f64::from(rgb[0]) < UNDRAWN / 2.0,
+                        "{mesh}: a hole in the sea: frame {index} from {:.1} m, pixel {}",
+                        frame.camera.altitude_m,
+                        centre(pixel)
+                    );
                 }
             }
         }
