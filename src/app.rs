@@ -22,7 +22,6 @@ use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::panel::{self, Action, Panel};
 use crate::renderer::Renderer;
-use crate::scene::frame::Frame;
 use crate::scene::settings::Settings;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::flight::Flight;
@@ -48,6 +47,8 @@ struct Shown {
     camera: Camera,
     unix_seconds: f64,
     size: [u32; 2],
+    /// Of the sea, which settings come to by and by.
+    sea: u64,
 }
 
 /// The program.
@@ -84,6 +85,7 @@ impl App {
         let render_state = render_state(host)?;
         let context = host.egui_ctx.clone();
         renderer.world_mut().set_waker(Arc::new(move || context.request_repaint()));
+        renderer.seas_mut().spread();
         let picture = Picture::new(&gpu.device, render_state.target_format);
         // The page's own zoom does this, and does it for the picture too.
         host.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
@@ -144,12 +146,14 @@ impl App {
     fn draw(&mut self, unix_seconds: f64, size: [u32; 2]) {
         self.picture.resize(&self.gpu.device, size);
         let size = self.picture.size();
+        self.renderer.seas_mut().begin(&self.state.settings);
         let camera = self.renderer.eye(&self.state, unix_seconds);
-        let shown = Shown { settings: self.state.settings.clone(), camera, unix_seconds, size };
+        let sea = self.renderer.seas_mut().revision();
+        let shown = Shown { settings: self.state.settings.clone(), camera, unix_seconds, size, sea };
         if self.shown.as_ref() == Some(&shown) && !self.is_loading() {
             return;
         }
-        let frame = Frame::new(&shown.settings, &shown.camera, unix_seconds, size);
+        let frame = self.renderer.frame(&shown.settings, &shown.camera, unix_seconds, size);
         let label = wgpu::CommandEncoderDescriptor { label: Some("scene") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
         self.renderer.render(&mut encoder, &frame, &self.picture.view);
@@ -177,12 +181,19 @@ impl App {
         }
     }
 
+    /// The sea that the settings ask for in figures.
+    fn figures(&mut self) -> panel::sea::Figures {
+        let settings = &self.state.settings;
+        panel::sea::Figures::of(&self.renderer.seas_mut().tables(settings), settings.foam)
+    }
+
     /// Publishes the program's condition for the page's scripts.
     fn publish(&mut self, context: &egui::Context) {
         let settled = self.shown.is_some() && !self.is_loading();
         self.page.publish("state", if settled { "settled" } else { "loading" });
         self.page.publish("frame-ms", &format!("{:.1}", self.frame_ms));
-        self.page.publish("sea", &panel::sea::Figures::of(&self.state.settings).json());
+        let figures = self.figures();
+        self.page.publish("sea", &figures.json());
         self.page.publish("fragment", &self.state.format_fragment(None));
         self.page.publish("widgets", &self.panel.widgets_json(context.zoom_factor()));
     }
@@ -225,12 +236,14 @@ impl eframe::App for App {
             overlay.show(ui, rect, self.renderer.world_mut(), &self.state.settings);
         }
         let now_unix_s = clock::unix_now_s();
+        let figures = self.figures();
         let status = panel::Status {
             frame_ms: self.frame_ms,
             adapter: &self.gpu.adapter,
             pending: self.renderer.world_mut().pending(),
             progress: self.renderer.world_mut().progress(),
             now_s: now_unix_s,
+            figures,
         };
         if let Some(action) = self.panel.show(&context, &mut self.state, &status) {
             self.act(&context, action);

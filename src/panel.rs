@@ -41,6 +41,8 @@ pub struct Status<'a> {
     pub progress: f32,
     /// The machine's clock, UTC seconds since 1970.
     pub now_s: f64,
+    /// The sea that the settings ask for.
+    pub figures: sea::Figures,
 }
 
 /// The panel's own state.
@@ -116,7 +118,7 @@ impl Panel {
                             .max_height(height - 40.0)
                             .min_scrolled_height(height - 40.0)
                             .auto_shrink([false, true]);
-                        scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status.now_s)));
+                        scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status)));
                     }
                 });
             },
@@ -149,13 +151,13 @@ impl Panel {
         action
     }
 
-    fn body(&mut self, ui: &mut Ui, state: &mut ViewState, now_s: f64) -> Option<Action> {
+    fn body(&mut self, ui: &mut Ui, state: &mut ViewState, status: &Status<'_>) -> Option<Action> {
         self.wind(ui, &mut state.settings);
-        sea::Figures::of(&state.settings).show(ui);
+        status.figures.show(ui);
         ui.separator();
         let action = self.views(ui);
         ui.separator();
-        self.time.show(ui, state, now_s, &mut self.widgets);
+        self.time.show(ui, state, status.now_s, &mut self.widgets);
         ui.separator();
         let more = egui::CollapsingHeader::new("Sea and layers").show(ui, |ui| self.sea(ui, &mut state.settings));
         self.widgets.note("more", &more.header_response);

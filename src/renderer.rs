@@ -7,7 +7,6 @@ use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::gpu::texture;
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
-use crate::model::sea_tables::SeaTables;
 use crate::pass::backdrop::Backdrop;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
@@ -18,8 +17,8 @@ use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::frame::{Frame, Output};
-use crate::scene::sea::ride::surface_height;
-use crate::scene::settings;
+use crate::scene::sea::Seas;
+use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::{Camera, LOWEST_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
@@ -45,6 +44,7 @@ const MESH_UPDATES: [u32; 2] = [2, 16];
 pub struct Renderer {
     gpu: Gpu,
     world: World,
+    seas: Seas,
     radiance_format: wgpu::TextureFormat,
     streaming: Streaming,
     tiles: WorldTiles,
@@ -114,6 +114,7 @@ impl Renderer {
             complete: false,
             gpu,
             world,
+            seas: Seas::default(),
         }
     }
 
@@ -143,7 +144,7 @@ impl Renderer {
     /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
     /// rest: a still picture needs both.
     pub fn settle(&mut self, frame: &Frame) {
-        self.surface.take(&self.gpu, frame);
+        self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
         self.upload(frame);
         self.surface.replay(&self.gpu, frame, &self.frame_group.group, usize::MAX);
         self.settle_mesh(frame);
@@ -168,7 +169,7 @@ impl Renderer {
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
         self.fit(frame.size);
-        self.surface.take(&self.gpu, frame);
+        self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
         self.upload(frame);
         let frame_group = &self.frame_group.group;
         let still = usize::from(!self.moving);
@@ -238,16 +239,28 @@ impl Renderer {
     /// the ocean, in the water above its bed.
     pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
         let asked = state.camera;
-        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else { return state.eye(unix_seconds) };
+        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
+            return self.seas.eye(state, unix_seconds);
+        };
         let Some(depth_m) = place.depth_m else { return above_ground(&asked, place.elevation_m) };
-        let ridden = state.eye(unix_seconds);
-        let crest_m = 1.2 * SeaTables::of(&state.settings).sea.hs_m;
+        let ridden = self.seas.eye(state, unix_seconds);
+        let crest_m = self.seas.drawn(&state.settings).crest_m();
         let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
-            surface_height(&state.settings, &asked, unix_seconds) + LOWEST_M
+            self.seas.surface_height(&state.settings, &asked, unix_seconds) + LOWEST_M
         } else {
             0.5 - depth_m
         };
         Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
+    }
+
+    /// The frame that `camera` sees at a UTC instant, `size` in pixels, in the sea that is drawn.
+    pub fn frame(&mut self, settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Frame {
+        Frame::of(&mut self.seas, settings, camera, unix_seconds, size)
+    }
+
+    /// The sea that is drawn.
+    pub fn seas_mut(&mut self) -> &mut Seas {
+        &mut self.seas
     }
 
     /// The world, for readouts and credits.
@@ -255,7 +268,7 @@ impl Renderer {
         &mut self.world
     }
 
-    /// Whether more tiles are on their way, the foam's history is being replayed or the mesh refined: another frame would look different.
+    /// Whether more tiles are on their way, or the sea, its foam or the mesh are still being made: another frame would look different.
     pub fn needs_redraw(&self) -> bool {
         !self.complete || self.is_replaying()
     }
@@ -271,9 +284,9 @@ impl Renderer {
         self.clear = Some(clear);
     }
 
-    /// Whether the foam's history is being replayed or the mesh refined: that needs frames, and nothing from outside.
+    /// Whether the sea, its foam or the mesh are still being made: that needs frames, and nothing from outside.
     pub fn is_replaying(&self) -> bool {
-        self.surface.is_replaying() || self.mesh.is_settling()
+        self.seas.is_busy() || self.surface.is_replaying() || self.mesh.is_settling()
     }
 
     /// The device.

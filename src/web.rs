@@ -3,7 +3,7 @@
 //! Nothing here calls into JavaScript that could call back while Rust holds a borrow: the page's events only raise a flag,
 //! which the next frame reads.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -19,6 +19,7 @@ use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::model::waves;
 use crate::renderer::Renderer;
+use crate::scene::sea::Seas;
 use crate::scene::sea::surface_sample::sample_link;
 use crate::scene::view::named;
 use crate::scene::view::state::ViewState;
@@ -180,7 +181,12 @@ pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
 #[wasm_bindgen(js_name = sampleSurface)]
 pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::result::Result<JsValue, JsValue> {
     let failed = |error: Error| JsValue::from(js_sys::Error::new(&error.to_string()));
-    let sample = sample_link(fragment, lng, lat, time, unix_now_s()).map_err(failed)?;
+    thread_local! {
+        /// The sea that the page's scripts measure, which need not be the one that the page shows.
+        static MEASURED: RefCell<Seas> = RefCell::default();
+    }
+    let sample = MEASURED.with_borrow_mut(|seas| sample_link(seas, fragment, lng, lat, time, unix_now_s()));
+    let sample = sample.map_err(failed)?;
     let object = js_sys::Object::new();
     let normal: js_sys::Array = sample.normal_enu.into_iter().map(JsValue::from_f64).collect();
     js_sys::Reflect::set(&object, &"height".into(), &sample.height_m.into())?;

@@ -30,7 +30,7 @@ pub fn white(n: usize) -> (Cascade, Vec<[f64; 2]>, Vec<f64>) {
 pub fn fft(gpu: &Gpu, n: usize, layers: usize, precision: Precision) -> Fft {
     let (cascade, h0, omegas) = white(n);
     let mut data = WaveData::default();
-    (0..layers).for_each(|_| data.push(&h0, &omegas));
+    (0..layers).for_each(|_| data.push(&cascade, &h0, &omegas));
     let mut fft = Fft::new(gpu, n, layers, precision);
     fft.set_waves(gpu, &vec![cascade; layers], &data);
     fft.set_time(gpu, waves::ticks_from_unix(INSTANT_S));

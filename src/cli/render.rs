@@ -126,7 +126,7 @@ pub fn draw(
     let frame = loop {
         // The eye depends on its ground, which may still have to come.
         let eye = renderer.eye(state, unix_seconds);
-        let frame = Frame::new(&state.settings, &eye, unix_seconds, size).measuring(output);
+        let frame = renderer.frame(&state.settings, &eye, unix_seconds, size).measuring(output);
         if renderer.load(&frame) && renderer.eye(state, unix_seconds) == eye {
             break frame;
         }

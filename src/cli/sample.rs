@@ -4,9 +4,9 @@ use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
 use crate::data::world::World;
 use crate::error::{Error, Result};
-use crate::model::sea_tables::SeaTables;
 use crate::model::spectrum::DirectionalSpectrum;
-use crate::scene::sea::surface_sample::{instant, sample_surface};
+use crate::scene::sea::Seas;
+use crate::scene::sea::surface_sample::instant;
 use crate::scene::time::SceneTime;
 
 /// Print elevation, depth, water class, shore distance and the surface of the sea at a place, as JSON.
@@ -49,8 +49,9 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
     if let Some(depth_m) = sample.depth_m {
-        let tables = SeaTables::of(&state.settings);
-        let found = sample_surface(&state.settings, lat, lon, unix_seconds, depth_m);
+        let mut seas = Seas::default();
+        let tables = seas.tables(&state.settings);
+        let found = seas.sample(&state.settings, lat, lon, unix_seconds, depth_m);
         let mut surface = serde_json::to_value(found).map_err(json)?;
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();
         surface["hs_m"] = tables.sea.hs_m.into();

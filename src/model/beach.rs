@@ -10,9 +10,6 @@ use super::{
 
 /// The highest single wave per depth: [McCowan's](crate::bibliography::McCowan1894) solitary wave.
 pub const BREAKER_INDEX: f64 = 0.78;
-/// The steepest wave in deep water, H/λ ([Miche](crate::bibliography::Miche1944)).
-pub const MICHE_STEEPNESS: f64 = 0.142;
-
 /// Direction over a depth of `h` (m) of a wave of `omega` (rad/s) that has the direction `deep` in deep water: k sin θ is constant
 /// (Snell's law).
 pub fn refracted(omega: f64, h: f64, deep: f64) -> f64 {
@@ -35,33 +32,16 @@ pub fn green_ratio(h1: f64, h2: f64) -> f64 {
     libm::sqrt(libm::sqrt(h1 / h2))
 }
 
-/// [Miche's](crate::bibliography::Miche1944) highest wave of frequency `omega` (rad/s) over a depth of `h` (m):
-/// H = 0.142 λ tanh kh, m.
-pub fn miche_height(omega: f64, h: f64) -> f64 {
-    let k = wavenumber(omega, h);
-    MICHE_STEEPNESS * std::f64::consts::TAU / k * libm::tanh(k * h)
-}
-
-/// Depth (m) in which a wave of deep-water height `height` (m), frequency `omega` (rad/s) and direction `deep` grows beyond the
-/// highest wave that `limit` allows at a depth: where it breaks. In (0, one deep-water wavelength]; that length if it breaks before.
-fn breaking_depth_by(height: f64, omega: f64, deep: f64, limit: impl Fn(f64) -> f64) -> f64 {
+/// Depth (m) in which a wave of deep-water height `height` (m), frequency `omega` (rad/s) and direction `deep` grows beyond 0.78 of the
+/// depth: where it breaks. In (0, one deep-water wavelength]; that length if it breaks before.
+pub fn breaking_depth(height: f64, omega: f64, deep: f64) -> f64 {
     let (mut low, mut high) = (0.0, std::f64::consts::TAU * super::GRAVITY / (omega * omega));
     // 60 halvings end at f64's own step.
     for _ in 0..60 {
         let h = 0.5 * (low + high);
-        if height * height_ratio(omega, h, deep) > limit(h) { low = h } else { high = h }
+        if height * height_ratio(omega, h, deep) > BREAKER_INDEX * h { low = h } else { high = h }
     }
     high
-}
-
-/// Depth (m) in which a wave of deep-water height `height` (m) breaks by H = 0.78 h.
-pub fn breaking_depth(height: f64, omega: f64, deep: f64) -> f64 {
-    breaking_depth_by(height, omega, deep, |h| BREAKER_INDEX * h)
-}
-
-/// Depth (m) in which a wave of deep-water height `height` (m) breaks by [`miche_height`].
-pub fn miche_depth(height: f64, omega: f64, deep: f64) -> f64 {
-    breaking_depth_by(height, omega, deep, |h| miche_height(omega, h))
 }
 
 /// Phase ∫k dx (rad) of a wave of `omega` (rad/s) that runs straight up a plane beach of `slope` from depth `h0` to depth `h` (m, both

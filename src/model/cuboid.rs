@@ -31,11 +31,6 @@ pub fn scaled_direction(point: Point) -> DVec3 {
     DVec3::from_array(centred).normalize()
 }
 
-/// The place on the ellipsoid that a point of the cuboid stands for, earth-centred, metres.
-pub fn ecef_from_point(point: Point) -> DVec3 {
-    scaled_direction(point) * DVec3::new(WGS84.a, WGS84.a, WGS84.b)
-}
-
 /// The point of the cube [-1, 1]³ over a place on the ellipsoid, earth-centred, metres.
 pub fn cube_from_ecef(ecef: DVec3) -> DVec3 {
     let scaled = ecef / DVec3::new(WGS84.a, WGS84.a, WGS84.b);

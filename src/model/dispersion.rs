@@ -26,16 +26,6 @@ pub fn omega_capillary(k: f64, h: f64, gamma: f64) -> f64 {
     libm::sqrt((GRAVITY + gamma * k * k) * k * tanh_kh(k, h))
 }
 
-/// Group velocity of gravity-capillary waves in deep water, (g + 3 γ k²)/(2 ω); infinite at k = 0.
-pub fn group_velocity_capillary(k: f64, gamma: f64) -> f64 {
-    (GRAVITY + 3.0 * gamma * k * k) / (2.0 * omega_capillary(k, f64::INFINITY, gamma))
-}
-
-/// The wave number at which gravity-capillary waves are slowest, rad/m: sqrt(g/γ).
-pub fn slowest_wavenumber(gamma: f64) -> f64 {
-    libm::sqrt(GRAVITY / gamma)
-}
-
 /// k of a gravity wave of frequency `omega` over depth `h`; 0 unless both are positive.
 ///
 /// [Eckart's](crate::bibliography::Eckart1952) start x₀/√tanh x₀ (x₀ = ω² h/g) is within 5 %; three Newton steps on

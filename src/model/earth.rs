@@ -82,12 +82,6 @@ impl Ellipsoid {
         self.a / (1.0 - self.e2() * lat.sin().powi(2)).sqrt()
     }
 
-    /// Radius of curvature in the meridian M, m, at geodetic latitude `lat`.
-    pub fn meridian_radius(&self, lat: f64) -> f64 {
-        let e2 = self.e2();
-        self.a * (1.0 - e2) / (1.0 - e2 * lat.sin().powi(2)).powf(1.5)
-    }
-
     /// The earth-centred position of a place, m.
     pub fn ecef_from_geodetic(&self, place: Geodetic) -> DVec3 {
         let up = normal(place.lat, place.lon);

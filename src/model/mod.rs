@@ -28,6 +28,7 @@ pub mod spectrum;
 pub mod spreading;
 pub mod sun;
 pub mod surface;
+pub mod wave_data;
 pub mod wave_domain;
 pub mod waves;
 

@@ -105,12 +105,22 @@ impl Place {
     /// First by substitution, which leaves the local stretch, some 0.3, of the error each time and does not mind that short
     /// waves differ along the way; then by Newton's steps, which also converge where the crests are about to fold. Where they
     /// have folded and several points are over the place, it is one of them.
-    pub fn invert(&self, chop: f64, mut tile: impl FnMut(usize, DVec2) -> Motion) -> (DVec2, Motion) {
-        const SUBSTITUTIONS: usize = 6;
-        const STEPS: usize = 30;
+    pub fn invert(&self, chop: f64, tile: impl FnMut(usize, DVec2) -> Motion) -> (DVec2, Motion) {
         // A twentieth of a millimetre: nothing on a slope below 1.
-        const NEAR_M: f64 = 5e-5;
-        let mut rest = DVec2::ZERO;
+        self.invert_from(DVec2::ZERO, chop, 5e-5, tile)
+    }
+
+    /// As [`Place::invert`], from a rest point that may be known to be near, until the water comes within `near_m` metres of the place.
+    pub fn invert_from(
+        &self,
+        start: DVec2,
+        chop: f64,
+        near_m: f64,
+        mut tile: impl FnMut(usize, DVec2) -> Motion,
+    ) -> (DVec2, Motion) {
+        const STEPS: usize = 30;
+        let substitutions = if start == DVec2::ZERO { 6 } else { 0 };
+        let mut rest = start;
         let mut best = (f64::INFINITY, rest, Motion::default());
         for step in 0..STEPS {
             let motion = self.motion(rest, &mut tile);
@@ -118,11 +128,11 @@ impl Place {
             if residual.length() < best.0 {
                 best = (residual.length(), rest, motion);
             }
-            if best.0 < NEAR_M {
+            if best.0 < near_m {
                 break;
             }
             let gradient = motion.chop_gradient(chop);
-            rest -= if step < SUBSTITUTIONS || gradient.jacobian() < 0.1 {
+            rest -= if step < substitutions || gradient.jacobian() < 0.1 {
                 residual
             } else {
                 let r = DVec2::new(

@@ -51,11 +51,6 @@ pub fn schlick_from_below(cos_i: f64, n1: f64, n2: f64) -> f64 {
     if sin_t_2 >= 1.0 { 1.0 } else { schlick((1.0 - sin_t_2).sqrt(), r0(n1, n2)) }
 }
 
-/// Beer–Lambert: the share of light left after `path_m` metres in water of attenuation `k_per_m`.
-pub fn transmittance(k_per_m: f64, path_m: f64) -> f64 {
-    (-k_per_m * path_m).exp()
-}
-
 /// The cosine of the angle in water for light that meets a level surface from air with cosine `cos_air`.
 pub fn cos_in_water(cos_air: f64, index: f64) -> f64 {
     let c = cos_air.clamp(0.0, 1.0);
@@ -102,32 +97,6 @@ pub fn cox_munk_mss(speed_mps: f64) -> MeanSquareSlope {
 pub fn cox_munk_slick_mss(speed_mps: f64) -> MeanSquareSlope {
     let w = speed_mps.max(0.0);
     MeanSquareSlope { up: 0.005 + 0.78e-3 * w, cross: 0.003 + 0.84e-3 * w, total: 0.008 + 1.56e-3 * w }
-}
-
-/// Cox and Munk's Gram-Charlier coefficients: by how much the slopes are not normally distributed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GramCharlier {
-    /// Skewness c21, crosswind twice and upwind once.
-    pub c21: f64,
-    /// Skewness c03, upwind.
-    pub c03: f64,
-    /// Peakedness c40, crosswind.
-    pub c40: f64,
-    /// Peakedness c22.
-    pub c22: f64,
-    /// Peakedness c04, upwind.
-    pub c04: f64,
-}
-
-/// The coefficients of a clean surface at a wind speed in m/s.
-pub fn cox_munk_gram_charlier(speed_mps: f64) -> GramCharlier {
-    let w = speed_mps.max(0.0);
-    GramCharlier { c21: 0.01 - 0.0086 * w, c03: 0.04 - 0.033 * w, c40: 0.4, c22: 0.12, c04: 0.23 }
-}
-
-/// Roughness α of the Beckmann distribution of microfacets for a mean square slope of both axes together: α² = mss.
-pub fn beckmann_alpha(mss: f64) -> f64 {
-    mss.max(0.0).sqrt()
 }
 
 /// Weights of near FFT waves and far Perlin waves at a distance.

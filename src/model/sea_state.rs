@@ -86,31 +86,8 @@ pub fn wind_components(speed_mps: f64, from: f64) -> (f64, f64) {
     (-speed_mps * sin, -speed_mps * cos)
 }
 
-/// The direction waves travel TO as a mathematical angle (radians counter-clockwise from east, in [0, 2π)) for a wind FROM a
-/// bearing: 270° − b.
-pub fn travel_angle(from: f64) -> f64 {
-    libm::fmod(
-        libm::fmod(1.5 * std::f64::consts::PI - from, std::f64::consts::TAU) + std::f64::consts::TAU,
-        std::f64::consts::TAU,
-    )
-}
-
 /// Share of the surface under active whitecaps at a wind speed in m/s at 10 m: 3.84e-6 U^3.41
 /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)), capped at a quarter, where the fit leaves its data.
 pub fn whitecap_fraction(speed_mps: f64) -> f64 {
     (3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)).min(0.25)
-}
-
-/// The same data fitted by ordinary least squares in place of the robust fit: 2.95e-6 U^3.52, without a cap.
-pub fn whitecap_fraction_least_squares(speed_mps: f64) -> f64 {
-    2.95e-6 * libm::pow(speed_mps.max(0.0), 3.52)
-}
-
-/// A later measurement with fewer whitecaps in strong winds ([Callaghan and others](crate::bibliography::Callaghan2008)):
-/// 3.18e-5 (U − 3.7)³ up to 10.2 m/s, where it meets 4.82e-6 (U + 1.98)³; held from its last datum, 23.09 m/s, on.
-pub fn whitecap_fraction_callaghan(speed_mps: f64) -> f64 {
-    let u = speed_mps.clamp(3.7, 23.09);
-    let (weak, strong) = (u - 3.7, u + 1.98);
-    // The two cubics cross where (u + 1.98)/(u − 3.7) is the cube root of 3.18/0.482.
-    if u < 10.187 { 3.18e-5 * weak * weak * weak } else { 4.82e-6 * strong * strong * strong }
 }

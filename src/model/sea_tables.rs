@@ -44,6 +44,16 @@ impl SeaTables {
         self.cascade_slopes.iter().fold(self.below_slopes, |sum, t| [sum[0] + t[0], sum[1] + t[1]])
     }
 
+    /// Height over the mean level that next to no crest passes, m; no trough is so deep.
+    pub fn crest_m(&self) -> f64 {
+        1.2 * self.sea.hs_m
+    }
+
+    /// Whether another sea has the same waves on the same tiles: it may differ in its chop.
+    pub fn has_waves_of(&self, other: &Self) -> bool {
+        Sea { chop: other.sea.chop, ..self.sea } == other.sea && self.cascades[0].n == other.cascades[0].n
+    }
+
     /// Mean-square slope of the whole sea, both axes together.
     pub fn mean_square_slope(&self) -> f64 {
         self.slopes().iter().sum()
@@ -60,14 +70,21 @@ fn slopes_between(spectrum: &dyn DirectionalSpectrum, k0: f64, k1: f64) -> [f64;
     const ANGLES: usize = 48;
     // Waves of 600 km and of 1.6 mm: the range of the spectra's own integrals.
     let (k0, k1) = (k0.max(1e-5), k1.min(4e3));
-    let integral = |part: fn(f64, f64) -> f64| {
-        simpson_log(k0, k1, 64, |k| {
-            let ring = (0..ANGLES).map(|i| {
-                let (sin, cos) = libm::sincos(std::f64::consts::TAU * (i as f64 + 0.5) / ANGLES as f64);
-                part(cos, sin) * spectrum.density(k * cos, k * sin)
-            });
-            k * k * k * ring.sum::<f64>() * std::f64::consts::TAU / ANGLES as f64
-        })
-    };
-    [integral(|cos, _| cos * cos), integral(|_, sin| sin * sin)]
+    let directions: [(f64, f64); ANGLES] =
+        std::array::from_fn(|i| libm::sincos(std::f64::consts::TAU * (i as f64 + 0.5) / ANGLES as f64));
+    // The spectrum is what costs: both axes see the same densities, in the order in which the rule asks for them.
+    let mut across = Vec::new();
+    let ring = |k: f64, sum: f64| k * k * k * sum * std::f64::consts::TAU / ANGLES as f64;
+    let along = simpson_log(k0, k1, 64, |k| {
+        let [mut x, mut y] = [0.0; 2];
+        for (sin, cos) in directions {
+            let density = spectrum.density(k * cos, k * sin);
+            x += cos * cos * density;
+            y += sin * sin * density;
+        }
+        across.push(ring(k, y));
+        ring(k, x)
+    });
+    let mut across = across.into_iter();
+    [along, simpson_log(k0, k1, 64, |_| across.next().unwrap_or(0.0))]
 }

@@ -25,21 +25,6 @@ impl Cos2s {
         let s = s.max(0.0);
         Self { s, q: cos_2s_factor(s) }
     }
-
-    /// s.
-    pub fn s(&self) -> f64 {
-        self.s
-    }
-
-    /// s of a circular standard deviation in radians, σ² = 2/(1 + s).
-    pub fn s_from_deviation(sigma: f64) -> f64 {
-        2.0 / (sigma * sigma) - 1.0
-    }
-
-    /// Circular standard deviation, radians.
-    pub fn deviation(&self) -> f64 {
-        libm::sqrt(2.0 / (1.0 + self.s))
-    }
 }
 
 impl Spreading for Cos2s {
@@ -57,59 +42,6 @@ fn cos_2s_factor(s: f64) -> f64 {
 /// Q cos^2s(θ/2), with cos²(θ/2) = (1 + cos θ)/2.
 fn cos_2s(s: f64, q: f64, cos: f64) -> f64 {
     q * libm::pow((0.5 + 0.5 * cos).clamp(0.0, 1.0), s)
-}
-
-/// cos^2s with [Mitsuyasu's](crate::bibliography::Mitsuyasu1975) exponent: s = s_p x⁵ up to the peak, s_p x^−2.5 beyond, with
-/// s_p = 11.5 (U₁₀/c_p)^−2.5.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mitsuyasu {
-    /// U₁₀/c_p.
-    pub inverse_wave_age: f64,
-}
-
-impl Mitsuyasu {
-    /// s at a frequency.
-    pub fn s(&self, x: f64) -> f64 {
-        let peak = 11.5 * libm::pow(self.inverse_wave_age, -2.5);
-        peak * libm::pow(x.max(0.0), if x <= 1.0 { 5.0 } else { -2.5 })
-    }
-}
-
-impl Spreading for Mitsuyasu {
-    fn density(&self, x: f64, cos: f64, _sin: f64) -> f64 {
-        let s = self.s(x);
-        cos_2s(s, cos_2s_factor(s), cos)
-    }
-}
-
-/// cos^2s with [Hasselmann's](crate::bibliography::Hasselmann1980) exponent: s = 6.97 x^4.06 up to the peak,
-/// 9.77 x^(−2.33 − 1.45 (U₁₀/c_p − 1.17)) beyond; and, for long-crested seas, [Horvath's](crate::bibliography::Horvath2015)
-/// addition 16 tanh(1/x) ξ².
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hasselmann {
-    /// U₁₀/c_p.
-    pub inverse_wave_age: f64,
-    /// ξ, 0…1: 0 for Hasselmann's own.
-    pub elongation: f64,
-}
-
-impl Hasselmann {
-    /// s at a frequency.
-    pub fn s(&self, x: f64) -> f64 {
-        let own = if x <= 1.0 {
-            6.97 * libm::pow(x.max(0.0), 4.06)
-        } else {
-            9.77 * libm::pow(x, -2.33 - 1.45 * (self.inverse_wave_age - 1.17))
-        };
-        own + 16.0 * libm::tanh(1.0 / x.max(0.0)) * self.elongation * self.elongation
-    }
-}
-
-impl Spreading for Hasselmann {
-    fn density(&self, x: f64, cos: f64, _sin: f64) -> f64 {
-        let s = self.s(x);
-        cos_2s(s, cos_2s_factor(s), cos)
-    }
 }
 
 /// [Donelan's](crate::bibliography::Donelan1985) D = β/(2 tanh βπ) sech²(βθ), β = 2.61 x^1.3 below x = 0.95 and 2.28 x^−1.3 below

@@ -17,40 +17,70 @@ const NEAREST_CELLS: f64 = 8.0;
 /// Cells closer to the origin than this are sub-sampled half as finely: one sample of k⁻⁴ is 0.1 % off at 24 steps.
 const NEAR_CELLS: f64 = 24.0;
 
-/// Energy of each cell: ∫ F over [n ± ½]dkx × [m ± ½]dky where |k| lies in the ring, m². 0 at the origin and at the row and the
-/// column at half of the samples, which have no partner −k.
-pub fn cell_energies(spectrum: &impl DirectionalSpectrum, tile: impl Into<Tile>) -> Vec<f64> {
-    let tile = tile.into();
-    let (dk, squares) = (tile.dk(), [tile.k_min * tile.k_min, tile.k_max * tile.k_max]);
-    let (area, reach) = (dk[0] * dk[1], 0.5 * libm::sqrt(dk[0] * dk[0] + dk[1] * dk[1]));
-    let step = dk[0].max(dk[1]);
-    let over = |(kx, ky): (f64, f64), parts: usize| {
-        let offset = |s: usize, dk: f64| ((s as f64 + 0.5) / parts as f64 - 0.5) * dk;
-        let mut sum = 0.0;
-        for (a, b) in (0..parts * parts).map(|s| (s % parts, s / parts)) {
-            let (x, y) = (kx + offset(a, dk[0]), ky + offset(b, dk[1]));
-            let k2 = x * x + y * y;
-            if k2 >= squares[0] && k2 < squares[1] {
-                sum += spectrum.density(x, y);
-            }
-        }
-        sum * area / (parts * parts) as f64
-    };
-    let cell = |(index, at): (usize, (f64, f64))| {
+/// The cells of a tile's wave numbers, [n ± ½]dkx × [m ± ½]dky, with the spectrum's energy in each.
+pub struct Cells<'a, S> {
+    spectrum: &'a S,
+    tile: Tile,
+    squares: [f64; 2],
+    area: f64,
+    /// Half of a cell's diagonal, rad/m.
+    reach: f64,
+    /// How often the spectrum has been evaluated.
+    pub evaluations: usize,
+}
+
+impl<'a, S: DirectionalSpectrum> Cells<'a, S> {
+    /// The cells of a tile.
+    pub fn new(spectrum: &'a S, tile: impl Into<Tile>) -> Self {
+        let tile = tile.into();
+        let (dk, squares) = (tile.dk(), [tile.k_min * tile.k_min, tile.k_max * tile.k_max]);
+        let (area, reach) = (dk[0] * dk[1], 0.5 * libm::sqrt(dk[0] * dk[0] + dk[1] * dk[1]));
+        Self { spectrum, tile, squares, area, reach, evaluations: 0 }
+    }
+
+    /// ∫ F over a cell where |k| lies in the ring, m². 0 at the origin and at the row and the column at half of the samples, which
+    /// have no partner −k.
+    pub fn energy(&mut self, index: usize) -> f64 {
+        let (tile, reach) = (self.tile, self.reach);
+        let (at, dk) = (tile.wave_vector(index), tile.dk());
+        let step = dk[0].max(dk[1]);
         let k = libm::sqrt(at.0 * at.0 + at.1 * at.1);
         if tile.is_alone(index) || k + reach < tile.k_min || k - reach >= tile.k_max {
             return 0.0;
         }
         let whole = k - reach >= tile.k_min && k + reach < tile.k_max;
         if whole && k > NEAR_CELLS * step {
-            spectrum.density(at.0, at.1) * area
+            self.evaluations += 1;
+            self.spectrum.density(at.0, at.1) * self.area
         } else if whole && k > NEAREST_CELLS * step {
-            over(at, SUBSAMPLES / 2)
+            self.over(at, SUBSAMPLES / 2)
         } else {
-            over(at, SUBSAMPLES)
+            self.over(at, SUBSAMPLES)
         }
-    };
-    tile.wave_vectors().enumerate().map(cell).collect()
+    }
+
+    /// The energy around (kx, ky) by `parts` × `parts` samples.
+    fn over(&mut self, (kx, ky): (f64, f64), parts: usize) -> f64 {
+        let dk = self.tile.dk();
+        let offset = |s: usize, dk: f64| ((s as f64 + 0.5) / parts as f64 - 0.5) * dk;
+        let mut sum = 0.0;
+        for (a, b) in (0..parts * parts).map(|s| (s % parts, s / parts)) {
+            let (x, y) = (kx + offset(a, dk[0]), ky + offset(b, dk[1]));
+            let k2 = x * x + y * y;
+            if k2 >= self.squares[0] && k2 < self.squares[1] {
+                sum += self.spectrum.density(x, y);
+            }
+        }
+        self.evaluations += parts * parts;
+        sum * self.area / (parts * parts) as f64
+    }
+}
+
+/// The energies of all cells of a tile, in order, see [`Cells::energy`].
+pub fn cell_energies(spectrum: &impl DirectionalSpectrum, tile: impl Into<Tile>) -> Vec<f64> {
+    let tile = tile.into();
+    let mut cells = Cells::new(spectrum, tile);
+    (0..tile.count()).map(|index| cells.energy(index)).collect()
 }
 
 /// h0(k) = ½ (ξr + iξi) √E as [re, im], m. Noise is keyed by the signed index, so that a finer grid holds the same waves.
@@ -62,23 +92,27 @@ pub fn initial_amplitudes(sea: &Sea, cascade_index: usize, tile: impl Into<Tile>
 /// As [`initial_amplitudes`] for any energies E, m², one for each element of the tile.
 pub fn amplitudes(energies: &[f64], seed: u32, cascade_index: usize, tile: impl Into<Tile>) -> Vec<[f64; 2]> {
     let tile = tile.into();
-    let amplitude = |(index, &energy): (usize, &f64)| {
-        if energy <= 0.0 {
-            return [0.0; 2];
-        }
-        let [i, j] = tile.signed(index);
-        let half = 0.5 * libm::sqrt(energy);
-        noise::gaussian_pair(seed, cascade_index as u32, i, j).map(|xi| half * xi)
-    };
-    energies.iter().enumerate().map(amplitude).collect()
+    energies.iter().enumerate().map(|(index, &energy)| amplitude(energy, seed, cascade_index, &tile, index)).collect()
+}
+
+/// One element of [`amplitudes`].
+pub fn amplitude(energy: f64, seed: u32, cascade_index: usize, tile: &Tile, index: usize) -> [f64; 2] {
+    if energy <= 0.0 {
+        return [0.0; 2];
+    }
+    let [i, j] = tile.signed(index);
+    let half = 0.5 * libm::sqrt(energy);
+    noise::gaussian_pair(seed, cascade_index as u32, i, j).map(|xi| half * xi)
 }
 
 /// ω of every element, rad/s: gravity and surface tension over water `depth_m` deep (infinity: deep water).
 pub fn angular_frequencies(tile: impl Into<Tile>, depth_m: f64) -> Vec<f64> {
-    let omega = |(kx, ky): (f64, f64)| {
-        dispersion::omega_capillary(libm::sqrt(kx * kx + ky * ky), depth_m, dispersion::SEA_TENSION)
-    };
-    tile.into().wave_vectors().map(omega).collect()
+    tile.into().wave_vectors().map(|k| angular_frequency(k, depth_m)).collect()
+}
+
+/// ω of a wave (kx, ky), rad/m, as [`angular_frequencies`].
+pub fn angular_frequency((kx, ky): (f64, f64), depth_m: f64) -> f64 {
+    dispersion::omega_capillary(libm::sqrt(kx * kx + ky * ky), depth_m, dispersion::SEA_TENSION)
 }
 
 /// Mean level of the sea under a choppy displacement of λ = `chop`, m: −λ Σ k E over the waves up to `k_max`. Negative, since

@@ -5,7 +5,7 @@ use egui::{ComboBox, Response, Slider, Ui};
 use super::{Widgets, digits};
 use crate::model::sea_tables::SeaTables;
 use crate::scene::sea::foam::Whitecaps;
-use crate::scene::settings::{FoamRule, Settings, Spectrum, Swell};
+use crate::scene::settings::{Foam, FoamRule, Settings, Spectrum, Swell};
 
 /// The fetch that the switch turns on with, km.
 const FETCH_KM: f64 = 300.0;
@@ -21,14 +21,13 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Those of the sea that `settings` ask for.
-    pub fn of(settings: &Settings) -> Self {
-        let tables = SeaTables::of(settings);
+    /// Those of a sea with its foam.
+    pub fn of(tables: &SeaTables, foam: Foam) -> Self {
         Self {
             hs_m: tables.sea.hs_m,
             tp_s: tables.peak_period_s,
             mean_square_slope: tables.mean_square_slope(),
-            whitecaps: Whitecaps::of(settings, &tables).share,
+            whitecaps: Whitecaps::without_map(foam, tables).share,
         }
     }
 

@@ -11,6 +11,7 @@
 //! ```
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -18,10 +19,10 @@ use crate::gpu::mips::MipChain;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
+use crate::model::wave_data::words;
 use crate::model::waves::Cascade;
 
-mod data;
-pub use data::{WaveData, scales, words};
+pub use crate::model::wave_data::WaveData;
 
 /// Mirrors `Evolution` in `shaders/fft.wgsl`.
 #[repr(C)]
@@ -106,6 +107,8 @@ pub struct Fft {
     columns: wgpu::ComputePipeline,
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
+    /// Those in the buffer: seas on the same tiles share them.
+    known_frequencies: Option<Arc<Vec<[u32; 2]>>>,
     batches: Vec<Batch>,
     mips: MipChain,
     cascades: Vec<Cascade>,
@@ -175,6 +178,7 @@ impl Fft {
             columns,
             amplitudes,
             frequencies,
+            known_frequencies: None,
             batches,
             mips,
             cascades,
@@ -188,9 +192,11 @@ impl Fft {
     /// Takes new waves. `cascades` say the patch lengths; `data` holds n² elements for each.
     pub fn set_waves(&mut self, gpu: &Gpu, cascades: &[Cascade], data: &WaveData) {
         gpu.queue.write_buffer(&self.amplitudes, 0, bytemuck::cast_slice(&data.amplitudes));
-        gpu.queue.write_buffer(&self.frequencies, 0, bytemuck::cast_slice(&data.frequencies));
-        let tiles = cascades.iter().zip(data.amplitudes.chunks(self.n * self.n));
-        self.scales = tiles.map(|(cascade, amplitudes)| scales(cascade, amplitudes)).collect();
+        if self.known_frequencies.as_ref().is_none_or(|known| !Arc::ptr_eq(known, &data.frequencies)) {
+            gpu.queue.write_buffer(&self.frequencies, 0, bytemuck::cast_slice(&data.frequencies));
+            self.known_frequencies = Some(data.frequencies.clone());
+        }
+        self.scales.clone_from(&data.scales);
         self.cascades = cascades.to_vec();
     }
 

@@ -134,7 +134,14 @@ impl Ocean {
                 Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
             };
             let groups: Vec<_> = layouts.iter().take(groups).collect();
-            gpu.drawing("ocean", (&source(look), vertex), &groups, &buffers, *colour, Some((*depth, DepthTest::Nearest)))
+            gpu.drawing(
+                "ocean",
+                (&source(look), vertex),
+                &groups,
+                &buffers,
+                *colour,
+                Some((*depth, DepthTest::Nearest)),
+            )
         });
     }
 

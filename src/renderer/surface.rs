@@ -8,11 +8,12 @@ use crate::gpu::pipeline::Bind;
 use crate::gpu::texture;
 use crate::model::sea_tables::SeaTables;
 use crate::model::waves::CASCADES;
-use crate::pass::fft::{Fft, Precision, WaveData};
+use crate::pass::fft::{Fft, Precision};
 use crate::pass::foam::{self, Foam};
 use crate::pass::perlin::Perlin;
 use crate::pass::sky_table::SkyTable;
 use crate::scene::frame::Frame;
+use crate::scene::sea::Seas;
 use crate::scene::sea::foam::Whitecaps;
 use crate::scene::sea::foam_history::History;
 
@@ -83,14 +84,19 @@ impl Surface {
         self.history.reset();
     }
 
-    /// Makes the waves of a sea that is not the last one.
-    pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame) {
-        if self.whitecaps != Some(frame.whitecaps) {
-            self.whitecaps = Some(frame.whitecaps);
-            self.history.reset();
-        }
+    /// Takes the waves of a sea that is not the last one from `seas`. `moving`: the picture has a history of its own, which better
+    /// thresholds for the same foam go on with.
+    pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame, seas: &mut Seas, moving: bool) {
         let sea = &frame.sea;
-        if self.sea.as_ref().is_some_and(|kept| kept == sea) {
+        let is_same = self.sea.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, sea) || kept == sea);
+        if self.whitecaps != Some(frame.whitecaps) {
+            let is_refined = is_same && self.whitecaps.is_some_and(|kept| kept.share == frame.whitecaps.share);
+            if !(moving && is_refined) {
+                self.history.reset();
+            }
+            self.whitecaps = Some(frame.whitecaps);
+        }
+        if is_same {
             return;
         }
         let n = sea.cascades[0].n;
@@ -98,7 +104,7 @@ impl Surface {
             self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
             self.groups = groups(gpu, &self.layout, &self.fft, &self.perlin, &self.foam, &self.sky);
         }
-        self.fft.set_waves(gpu, &sea.cascades, &WaveData::of(sea));
+        self.fft.set_waves(gpu, &sea.cascades, &seas.waves(sea));
         self.history.reset();
         self.sea = Some(sea.clone());
     }

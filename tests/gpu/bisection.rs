@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use ocean_globe::model::cuboid::{self, Point, Triangle};
 use ocean_globe::scene::frame::bisection::Bisection;
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::view::camera::Camera;
 
 use crate::pool::{Pool, check, edges, frame, middle, settings, triangles};
@@ -134,7 +135,7 @@ fn the_first_mesh_is_a_closed_cuboid() {
 #[test]
 fn it_settles_to_the_same_mesh_from_everywhere() {
     let pool = Pool::new(1 << 16);
-    let settings = settings(10.0, 40_000);
+    let (settings, mut seas) = (settings(10.0, 40_000), Seas::default());
     let view = |lat, lon, altitude, heading, tilt| Camera::from_degrees(lat, lon, altitude, heading, tilt);
     for camera in [
         view(20.0, -30.0, 2e7, 0.0, 0.0),
@@ -143,7 +144,7 @@ fn it_settles_to_the_same_mesh_from_everywhere() {
         view(90.0, 0.0, 30_000.0, 0.0, 60.0),
         view(-35.0, 179.999, 30.0, 45.0, 85.0),
     ] {
-        let frame = frame(&settings, &camera);
+        let frame = frame(&mut seas, &settings, &camera);
         let start = std::time::Instant::now();
         pool.update(&frame, 64);
         let here = triangles(&pool.mesh());
@@ -164,7 +165,7 @@ fn unit(index: u32, salt: u32) -> f64 {
 #[test]
 fn a_thousand_moves_leave_no_crack() {
     let pool = Pool::new(1 << 15);
-    let settings = settings(24.0, 20_000);
+    let (settings, mut seas) = (settings(24.0, 20_000), Seas::default());
     let mut largest = 0;
     for turn in 0..1_000 {
         // Jumps, and small steps from the last jump, down to a metre over the water and up to orbit.
@@ -177,7 +178,7 @@ fn a_thousand_moves_leave_no_crack() {
             unit(jump, 4) * 360.0 + 40.0 * step,
             unit(jump, 5) * 110.0,
         );
-        pool.update(&frame(&settings, &camera), 1 + turn % 3);
+        pool.update(&frame(&mut seas, &settings, &camera), 1 + turn % 3);
         largest = largest.max(pool.mesh().len());
     }
     println!("at most {largest} triangles");
@@ -189,7 +190,8 @@ fn the_budget_is_used_and_kept_and_a_full_pool_stays_sound() {
     // A pool without room for a change of more than a few hundred triangles, and one with plenty.
     for (capacity, budget) in [(8192, 8_000), (1 << 16, 20_000)] {
         let pool = Pool::new(capacity);
-        let frame = frame(&settings(2.0, budget), &Camera::from_degrees(35.68, -14.25, 3.0, 206.0, 80.0));
+        let frame =
+            frame(&mut Seas::default(), &settings(2.0, budget), &Camera::from_degrees(35.68, -14.25, 3.0, 206.0, 80.0));
         for _ in 0..60 {
             pool.update(&frame, 4);
             assert!(pool.state().live <= budget);
@@ -206,7 +208,8 @@ fn the_budget_is_used_and_kept_and_a_full_pool_stays_sound() {
 fn a_slow_pan_touches_few_triangles() {
     let pool = Pool::new(1 << 16);
     let settings = settings(12.0, 40_000);
-    let view = |heading: f64| frame(&settings, &Camera::from_degrees(35.68, -14.25, 3.0, heading, 82.0));
+    let mut seas = Seas::default();
+    let mut view = |heading: f64| frame(&mut seas, &settings, &Camera::from_degrees(35.68, -14.25, 3.0, heading, 82.0));
     pool.update(&view(206.0), 64);
     let mut worst: f64 = 0.0;
     for turn in 1..=20 {

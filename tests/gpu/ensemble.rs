@@ -20,7 +20,7 @@ fn four_hundred_seas_have_the_height_of_the_spectrum() {
     for seed in 0..SEEDS {
         let mut data = WaveData::default();
         for (index, tile) in tiles.iter().enumerate() {
-            data.push(&waves::amplitudes(&energies[index], seed, index, tile), &omegas[index]);
+            data.push(tile, &waves::amplitudes(&energies[index], seed, index, tile), &omegas[index]);
         }
         fft.set_waves(&gpu, &tiles, &data);
         fft.set_time(&gpu, waves::ticks_from_unix(1.7e9 + 1e5 * f64::from(seed)));

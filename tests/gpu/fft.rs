@@ -87,7 +87,7 @@ fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields
         .collect();
     let omegas: Vec<f64> = cascade.wave_vectors().map(|(x, y)| dispersion::omega_deep(x.hypot(y))).collect();
     let mut data = WaveData::default();
-    data.push(&h0, &omegas);
+    data.push(&cascade, &h0, &omegas);
     let fields = surface::fields_at(&h0, &cascade, &omegas, LATER_S);
     (cascade, data, fields)
 }
@@ -120,7 +120,7 @@ fn the_golden_tile_comes_out_as_the_direct_sums_say() {
     let h0: Vec<[f64; 2]> = list(&tile["h0_re"]).into_iter().zip(list(&tile["h0_im"])).map(|(a, b)| [a, b]).collect();
     let omegas: Vec<f64> = cascade.wave_vectors().map(|(x, y)| dispersion::omega_deep(x.hypot(y))).collect();
     let mut data = WaveData::default();
-    data.push(&h0, &omegas);
+    data.push(&cascade, &h0, &omegas);
     let ticks = waves::ticks_from_unix(tile["t"].as_f64().unwrap());
     let got = &transformed(&gpu(), &[cascade], &data, ticks)[0];
     for (field, name) in ["Dx", "Dz", "eta", "Dx_z", "eta_x", "eta_z", "Dx_x", "Dz_z"].into_iter().enumerate() {

@@ -8,6 +8,7 @@ use ocean_globe::model::cuboid::{Point, Triangle, UNIT};
 use ocean_globe::pass::bisect::{Bisect, Bisector, State, drawn_layout, source};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::frame::bisection::Bisection;
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::{Mesh, Settings, Triangles, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
@@ -36,8 +37,8 @@ pub fn settings(pixels: f64, budget: u32) -> Settings {
     }
 }
 
-pub fn frame(settings: &Settings, camera: &Camera) -> Frame {
-    Frame::new(settings, camera, 1_795_176_000.0, [640, 360])
+pub fn frame(seas: &mut Seas, settings: &Settings, camera: &Camera) -> Frame {
+    Frame::of(seas, settings, camera, 1_795_176_000.0, [640, 360])
 }
 
 impl Pool {

@@ -7,8 +7,8 @@ use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::pass::fft::{Precision, WaveData};
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::sea::ride::surface_height;
-use ocean_globe::scene::sea::surface_sample::{SurfaceSample, sample_surface};
+use ocean_globe::scene::sea::Seas;
+use ocean_globe::scene::sea::surface_sample::SurfaceSample;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
 
@@ -59,11 +59,12 @@ fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
     for (lat, lon) in [(35.6812, -14.25), (0.0, 0.0), (-20.0, -179.9999), (89.9, 30.0), (0.352, 0.352)] {
         let settings = Settings { beaufort: Some(8), ..Settings::default() };
         let camera = Camera::from_degrees(lat, lon, 3.0, 0.0, 0.0);
-        let frame = Frame::new(&settings, &camera, NOON, [64, 64]);
+        let mut seas = Seas::default();
+        let frame = Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]);
         let eye_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
         let places = places(&camera);
         let samples: Vec<SurfaceSample> =
-            places.iter().map(|&(lat, lon)| sample_surface(&settings, lat, lon, NOON, f64::INFINITY)).collect();
+            places.iter().map(|&(lat, lon)| seas.sample(&settings, lat, lon, NOON, f64::INFINITY)).collect();
         let feet: Vec<(DVec3, glam::DMat3)> = places
             .iter()
             .map(|&(lat, lon)| {
@@ -120,6 +121,7 @@ fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
 fn height_and_normal_are_those_of_a_picture() {
     let data = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
     let mut renderer = render::headless(data, Radiance::Single).unwrap();
+    let mut seas = Seas::default();
     let (mut heights, mut angles) = (Vec::new(), Vec::new());
     for (lat, lon) in [(35.6812, -14.25), (-20.0, -179.9999), (0.0, 0.0)] {
         // The eye is lifted to a metre over the water, where pixels of 2 mm and mesh cells of 7 mm see all that the finest texels hold.
@@ -138,7 +140,7 @@ fn height_and_normal_are_those_of_a_picture() {
             let pixel = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
             let hit = eye.unproject_onto(&level, pixel, DVec2::splat(513.0)).unwrap();
             let place = WGS84.geodetic_from_ecef(hit).unwrap();
-            let sample = sample_surface(&state.settings, place.lat, place.lon, NOON, f64::INFINITY);
+            let sample = seas.sample(&state.settings, place.lat, place.lon, NOON, f64::INFINITY);
             let drawn = DVec3::from_slice(&normal.values[3 * index..3 * index + 3]);
             heights.push((sample.height_m - drawn_m).abs());
             angles.push(drawn.angle_between(DVec3::from(sample.normal_enu)).to_degrees());
@@ -162,13 +164,13 @@ fn the_ride_is_the_sample_but_for_the_smallest_waves() {
     for grade in [3, 8, 12] {
         let settings = Settings { beaufort: Some(grade), ..Settings::default() };
         let camera = Camera::from_degrees(35.6812, -14.25, 3.0, 0.0, 0.0);
-        let mut worst = 0.0f64;
+        let (mut worst, mut seas) = (0.0f64, Seas::default());
         for (lat, lon) in places(&camera).into_iter().step_by(5) {
-            let ridden = surface_height(&settings, &Camera { lat, lon, ..camera }, NOON);
-            let sample = sample_surface(&settings, lat, lon, NOON, f64::INFINITY);
+            let ridden = seas.surface_height(&settings, &Camera { lat, lon, ..camera }, NOON);
+            let sample = seas.sample(&settings, lat, lon, NOON, f64::INFINITY);
             worst = worst.max((ridden - sample.height_m).abs());
         }
-        let hs = ocean_globe::model::sea_tables::SeaTables::of(&settings).sea.hs_m;
+        let hs = seas.tables(&settings).sea.hs_m;
         println!("grade {grade}: within {worst:.4} m of Hs {hs}");
         assert!(worst < 0.02 * hs, "grade {grade}: {worst} m");
     }

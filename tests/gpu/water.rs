@@ -62,7 +62,7 @@ impl Waves {
     pub fn data(&self, seed: u32) -> WaveData {
         let mut data = WaveData::default();
         for (index, tile) in self.tiles.iter().enumerate() {
-            data.push(&waves::amplitudes(&self.energies[index], seed, index, tile), &self.omegas[index]);
+            data.push(tile, &waves::amplitudes(&self.energies[index], seed, index, tile), &self.omegas[index]);
         }
         data
     }

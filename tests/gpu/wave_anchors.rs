@@ -10,6 +10,7 @@ use ocean_globe::model::noise;
 use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_NODES, TILES};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::frame::uniform::WaveNode;
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
 
@@ -294,6 +295,7 @@ fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
     let _turn = TURN.lock();
     let domain = Domain::new();
     let (mut worst, mut worst_weight, mut seen) = (0.0f64, 0.0f64, 0);
+    let mut seas = Seas::default();
     // The far sea's tile is longest in a hurricane.
     for (beaufort, count) in [(8, 10_000), (12, 2_000)] {
         let settings = Settings { beaufort: Some(beaufort), seed: 5, ..Settings::default() };
@@ -304,7 +306,7 @@ fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
             let (mut points, mut sights, mut frame) = (Vec::new(), Vec::new(), None);
             for (slot, [lat, lon]) in group.iter().enumerate() {
                 let camera = Camera::from_degrees(*lat, *lon, 5.0, 0.0, 0.0);
-                let here = Frame::new(&settings, &camera, 0.0, [64, 64]);
+                let here = Frame::of(&mut seas, &settings, &camera, 0.0, [64, 64]);
                 nodes[slot] = here.nodes[0];
                 let turn = 2.4 * sights.len() as f64;
                 for out in [0.0, 20.0, 300.0] {
@@ -335,7 +337,7 @@ fn a_place_has_the_same_tiles_for_every_eye() {
     let _turn = TURN.lock();
     let domain = Domain::new();
     let settings = Settings { beaufort: Some(8), ..Settings::default() };
-    let mut worst = 0.0f64;
+    let (mut worst, mut seas) = (0.0f64, Seas::default());
     for [lat, lon] in places(200) {
         let foot = |camera: &Camera| {
             let geodetic = Geodetic { height: 0.0, ..Camera::from_degrees(lat, lon, 0.0, 0.0, 0.0).geodetic() };
@@ -343,12 +345,12 @@ fn a_place_has_the_same_tiles_for_every_eye() {
             (enu * (WGS84.ecef_from_geodetic(geodetic) - camera.eye_ecef())).as_vec3()
         };
         let near = Camera::from_degrees(lat, lon, 5.0, 0.0, 0.0);
-        let frame = Frame::new(&settings, &near, 0.0, [64, 64]);
+        let frame = Frame::of(&mut seas, &settings, &near, 0.0, [64, 64]);
         // An eye has no memory: whatever was seen before, the cells have the same bits.
-        let again = Frame::new(&settings, &near, 0.0, [64, 64]);
+        let again = Frame::of(&mut seas, &settings, &near, 0.0, [64, 64]);
         assert_eq!(bytemuck::cast_slice::<_, u8>(&frame.nodes), bytemuck::cast_slice::<_, u8>(&again.nodes));
-        let seen = |camera: Camera| {
-            let frame = Frame::new(&settings, &camera, 0.0, [64, 64]);
+        let mut seen = |camera: Camera| {
+            let frame = Frame::of(&mut seas, &settings, &camera, 0.0, [64, 64]);
             let p = foot(&camera);
             // The cell that is nearest to the place, among the eye's.
             let cells = wave_domain::cells_near(camera.lat, camera.lon);

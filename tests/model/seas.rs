@@ -249,7 +249,8 @@ fn compass_bearings_become_angles_of_travel() {
     assert_eq!(toward(270.0, 180.0), PI / 2.0);
     assert_eq!(toward(270.0, 360.0), -PI / 2.0);
     for (wind, swell) in [(0.0, 350.0), (250.0, 310.0), (90.0, 270.0), (10.0, 200.0)] {
-        let want = sea_state::travel_angle(f64::to_radians(swell)) - sea_state::travel_angle(f64::to_radians(wind));
+        // The angle of travel, from east to the left, is 270 degrees less the bearing.
+        let want = f64::to_radians((270.0 - swell) - (270.0 - wind));
         let off = toward(wind, swell) - want;
         assert!((off.cos() - 1.0).abs() < 1e-12, "wind from {wind}, swell from {swell}: off by {off}");
     }

@@ -251,7 +251,6 @@ fn spreads() {
         close(at(0.0), row, "Q_lgamma", CLOSED);
         close(norm(&at), row, "norm", CLOSED);
         close(at(PI / 6.0), row, "D_at_30deg", CLOSED);
-        close(spread.deviation().to_degrees(), row, "circ_spread_deg", CLOSED);
         count += 1;
     }
     for row in rows(&table["donelan_banner"], 7) {
@@ -265,29 +264,7 @@ fn spreads() {
         close(half, row, "mass_within_90deg", 1e-9);
         count += 1;
     }
-    for row in rows(&table["s_parameters"], 6) {
-        let sea = Jonswap::from_fetch(number(row, "U10"), number(row, "fetch_m"));
-        let inverse_wave_age = number(row, "U10") * sea.omega_p / GRAVITY;
-        close(inverse_wave_age, row, "U_over_cp", CLOSED);
-        let x = number(row, "omega_over_p");
-        let (mitsuyasu, hasselmann) =
-            (Mitsuyasu { inverse_wave_age }, Hasselmann { inverse_wave_age, elongation: 0.0 });
-        close(mitsuyasu.s(x), row, "s_mitsuyasu", CLOSED);
-        close(hasselmann.s(x), row, "s_hasselmann", CLOSED);
-        close(mitsuyasu.density(x, 1.0, 0.0), row, "Q_mits", CLOSED);
-        close(hasselmann.density(x, 1.0, 0.0), row, "Q_hass", CLOSED);
-        let swell = Hasselmann { elongation: 1.0, ..hasselmann };
-        close(swell.s(x) - hasselmann.s(x), row, "horvath_swell_s_at_xi1", CLOSED);
-        count += 1;
-    }
-    for row in rows(&table["wavespectra_cartwright_vs_ours"], 4) {
-        let s = Cos2s::s_from_deviation(number(row, "dspr_deg").to_radians());
-        close(s, row, "s", CLOSED);
-        // The other package normalises on a grid: 1.8e-11 at 50 degrees, as the row says itself.
-        close(Cos2s::new(s).density(1.0, 1.0, 0.0) * PI / 180.0, row, "peak_per_deg", 1e-10);
-        count += 1;
-    }
-    assert_eq!(count, 23);
+    assert_eq!(count, 13);
     // The two that have no rows: over the full circle (2/π) cos² counts everything twice, over the half circle once.
     assert!((norm(&|theta: f64| 2.0 / PI * theta.cos().powi(2)) - 2.0).abs() < 1e-12);
     assert!((norm(&|theta: f64| downwind_share(theta.cos()) / PI) - 1.0).abs() < 1e-12);
@@ -299,22 +276,15 @@ fn whitecaps() {
     for row in rows(&file()["whitecap"]["rows"], 5) {
         let u10 = number(row, "U10");
         close(sea_state::whitecap_fraction(u10), row, "W_MOM80_robust", CLOSED);
-        close(sea_state::whitecap_fraction_least_squares(u10), row, "W_MOM80_ols", CLOSED);
-        let callaghan = sea_state::whitecap_fraction_callaghan(u10);
-        assert!((callaghan - number(row, "W_callaghan2008")).abs() < 1e-15, "{callaghan} in {row}");
     }
 }
 
 #[test]
 fn nothing_overflows() {
     let deep = Jonswap::from_fetch(10.0, 1e5);
-    let seas: [(&str, Box<dyn DirectionalSpectrum>); 6] = [
+    let seas: [(&str, Box<dyn DirectionalSpectrum>); 5] = [
         ("pm", Box::new(Directed { frequency: PiersonMoskowitz { speed_19_5: 10.0 }, spreading: DonelanBanner })),
-        ("jonswap", Box::new(Directed { frequency: deep, spreading: Mitsuyasu { inverse_wave_age: 1.0 } })),
-        (
-            "hasselmann",
-            Box::new(Directed { frequency: deep, spreading: Hasselmann { inverse_wave_age: 1.0, elongation: 1.0 } }),
-        ),
+        ("jonswap", Box::new(Directed { frequency: deep, spreading: Cos2s::new(6.0) })),
         ("tma", Box::new(Directed { frequency: Tma::new(deep, 2.0), spreading: DonelanBanner })),
         ("elfouhaily", Box::new(Elfouhaily::new(10.0, 1.0))),
         ("swell", Box::new(SwellTrain::new(2.0, 14.0, 1.0, f64::INFINITY).unwrap())),

@@ -4,7 +4,6 @@ use glam::DVec2;
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::model::earth::{Geodetic, WGS84};
 use ocean_globe::renderer::{Radiance, Renderer};
-use ocean_globe::scene::sea::surface_sample::sample_surface;
 use ocean_globe::scene::view::camera::{Basis, Camera};
 use ocean_globe::scene::view::state::ViewState;
 
@@ -101,7 +100,8 @@ impl Sweep {
             // Within 6 km of each other, evenly, in the open Gulf of Guinea.
             let [x, y] = [0.754_877_666, 0.569_840_291].map(|step| 1e-3 * (step * place as f64).fract());
             let (lat, lon) = (-0.17 + x, -2.1 + y);
-            let height = sample_surface(&state.settings, lat, lon, render::instant(&state), f64::INFINITY).height_m;
+            let height =
+                renderer.seas_mut().sample(&state.settings, lat, lon, render::instant(&state), f64::INFINITY).height_m;
             for (&altitude_m, sums) in heights.iter().zip(&mut sums).filter(|(height, _)| place < places(**height)) {
                 state.camera = eye_on(Geodetic { lat, lon, height }, self.zenith_deg.to_radians(), 0.5, altitude_m);
                 sums[place] = water(renderer, &state, self.size, radii);

@@ -62,7 +62,7 @@ impl Film {
         let instant = render::instant(state);
         loop {
             let eye = self.renderer.eye(state, instant);
-            let frame = Frame::new(&state.settings, &eye, instant, SIZE);
+            let frame = self.renderer.frame(&state.settings, &eye, instant, SIZE);
             if self.renderer.load(&frame) && self.renderer.eye(state, instant) == eye {
                 return frame;
             }
@@ -158,7 +158,7 @@ fn sweep(mesh: &str) {
             // The sea alone, over nothing.
             state.settings.layers.set(Layer::Land, false);
             state.settings.layers.set(Layer::Sky, false);
-            let alone = Frame::new(&state.settings, &frame.camera, frame.unix_seconds, SIZE);
+            let alone = film.renderer.frame(&state.settings, &frame.camera, frame.unix_seconds, SIZE);
             for (pixel, rgb) in film.draw(&alone).iter().enumerate() {
                 if inside[pixel] && is_open_ocean(&mut world, &frame.camera, pixel) {
                     searched += 1;

@@ -12,7 +12,6 @@ use ocean_globe::app::{App, Options};
 use ocean_globe::data::world::World;
 use ocean_globe::gpu::Gpu;
 use ocean_globe::renderer::{Renderer, TARGET_FORMAT};
-use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::view::state::ViewState;
 
 /// What the program has told the page.
@@ -194,7 +193,8 @@ fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
     let mut alone = renderer(&window.gpu);
     let state = ViewState::parse_fragment(STILL, None).0;
     let unix_seconds = state.time.unix_seconds(0.0);
-    let frame = Frame::new(&state.settings, &state.eye(unix_seconds), unix_seconds, size);
+    let eye = alone.seas_mut().eye(&state, unix_seconds);
+    let frame = alone.frame(&state.settings, &eye, unix_seconds, size);
     while !alone.load(&frame) || alone.world_mut().pending() > 0 {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }

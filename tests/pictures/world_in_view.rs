@@ -7,7 +7,7 @@ use ocean_globe::data::streaming::Streaming;
 use ocean_globe::data::tile::MapPoint;
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::frame::{Frame, Output};
-use ocean_globe::scene::sea::ride::surface_height;
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::map_tiles::drawn_tiles;
@@ -102,7 +102,8 @@ fn an_eye_that_rides_through_a_trough_sees_the_sky() {
         let link = format!("#view=35.6812,{lon},{altitude_m},235,84&ride=1&bft=12&time=2026-11-20T12:00:00Z");
         render::parse_state(&link).unwrap()
     };
-    let height = |state: &ViewState| surface_height(&state.settings, &state.camera, render::instant(state));
+    let mut seas = Seas::default();
+    let mut height = |state: &ViewState| seas.surface_height(&state.settings, &state.camera, render::instant(state));
     let lons = (0..100).map(|i| -14.25 + 1.2e-4 * f64::from(i));
     let trough = lons.min_by(|a, b| height(&view(*a, 0.0)).total_cmp(&height(&view(*b, 0.0)))).unwrap();
     for (altitude_m, above) in [(2.0, true), (-3.0, false)] {

@@ -19,6 +19,7 @@ use crate::gpu::Gpu;
 use crate::model::earth::WGS84;
 use crate::renderer::{Cost, Radiance, Renderer};
 use crate::scene::frame::{Frame, Output};
+use crate::scene::sea::Seas;
 use crate::scene::settings::{Mesh, Settings};
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
@@ -59,10 +60,10 @@ impl Way {
         }
     }
 
-    fn frame(self, state: &ViewState, eye: &Camera, unix_seconds: f64, size: [u32; 2]) -> Frame {
+    fn frame(self, seas: &mut Seas, state: &ViewState, eye: &Camera, unix_seconds: f64, size: [u32; 2]) -> Frame {
         let mesh = if self.renderer() == 2 { Mesh::Bisect } else { Mesh::Grid };
         let settings = Settings { mesh, ..state.settings.clone() };
-        let mut frame = Frame::new(&settings, eye, unix_seconds, size);
+        let mut frame = Frame::of(seas, &settings, eye, unix_seconds, size);
         if self == Self::Coarse {
             frame.uniform.cell_pixels *= COARSER;
         }
@@ -131,8 +132,8 @@ impl Heights {
                 if way == Way::Bisect {
                     eye.lon += WAY * eye.altitude_m.abs() / WGS84.a;
                 }
-                let frame = way.frame(state, &eye, clock_s, self.size);
                 let renderer = &mut self.renderers[way.renderer()];
+                let frame = way.frame(renderer.seas_mut(), state, &eye, clock_s, self.size);
                 while !renderer.load(&frame) {
                     std::thread::sleep(Duration::from_millis(2));
                 }

@@ -11,8 +11,8 @@ use crate::model::wave_domain::{self, MAX_NODES};
 use crate::model::{sea_state, sun};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
+use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
-use crate::scene::sea::ride::surface_height;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveNode};
@@ -64,10 +64,15 @@ pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
 }
 
 impl Frame {
-    /// The frame that `camera` sees at a UTC instant, `size` in pixels.
+    /// The frame that `camera` sees at a UTC instant, `size` in pixels, in a sea made for it alone.
     pub fn new(settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
+        Self::of(&mut Seas::default(), settings, camera, unix_seconds, size)
+    }
+
+    /// As [`Frame::new`], in the sea that is drawn.
+    pub fn of(seas: &mut Seas, settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
         let size = size.map(|side| side.max(1));
-        let sea = SeaTables::of(settings);
+        let sea = seas.drawn(settings);
         let mut uniform = FrameUniform::default();
         set_view(&mut uniform, camera, size);
         set_earth(&mut uniform, camera, sea.sea.hs_m, sea.sea.chop);
@@ -78,11 +83,12 @@ impl Frame {
         let (nodes, count, foam_eye) = wave_nodes::around(&uniform, settings, camera, &sea);
         uniform.node_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
-        let lowest_m = -1.2 * sea.sea.hs_m;
         let below = camera.altitude_m < 0.0
-            && (camera.altitude_m < lowest_m || camera.altitude_m < surface_height(settings, camera, unix_seconds));
+            && (camera.altitude_m < -sea.crest_m()
+                || camera.altitude_m < seas.surface_height(settings, camera, unix_seconds));
         uniform.under_water = u32::from(below);
-        let whitecaps = Whitecaps::of(settings, &sea);
+        let may_show = settings.foam.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
+        let whitecaps = seas.whitecaps(settings.foam, &sea, may_show);
         let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
         Self {
@@ -217,7 +223,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.wind = Vec2::new(east as f32, north as f32);
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
-    u.chop = settings.chop as f32;
+    u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;

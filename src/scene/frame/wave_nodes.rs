@@ -28,7 +28,7 @@ pub fn around(
     cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
     let patch_m = |tile: usize| if tile == PERLIN_TILE { sea.perlin.patch_m } else { sea.cascades[tile].patch_m };
     let node = |cell: &Cell| {
-        let plane = Plane::new(cell, settings.seed, settings.wind_from());
+        let plane = Plane::new(cell, sea.sea.seed, settings.wind_from());
         let eye_in_plane = plane.point(eye);
         let anchor = |tile: usize| {
             let spacing = wave_domain::spacing_m(patch_m(tile));
@@ -53,7 +53,7 @@ pub fn around(
     }
     let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
         frame: (cell.address, settings.wind_from().to_bits()),
-        at: Plane::new(cell, settings.seed, settings.wind_from()).point(eye),
+        at: Plane::new(cell, sea.sea.seed, settings.wind_from()).point(eye),
         cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
         finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
     });

@@ -11,15 +11,13 @@
 //! ```
 //! How it moves on in time: [`crate::scene::sea::foam_history`].
 
-use std::sync::{Arc, Mutex};
-
 use glam::DVec2;
 
 use crate::model::foam::{self, Fold};
 use crate::model::sea_state;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::BLEND_WIDTH_M;
-use crate::scene::settings::{Foam, FoamRule, Settings};
+use crate::scene::settings::{Foam, FoamRule};
 
 /// Squares of the map; equals `FOAM_LEVELS` in `shaders/lib/frame.wgsl`.
 pub const LEVELS: usize = 4;
@@ -28,7 +26,7 @@ pub const TEXELS: i32 = 256;
 /// Sides of the texels, metres.
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
 /// How gradually a level breaks, in root mean squares of its eigenvalue.
-const SOFTNESS: [f64; LEVELS] = [0.5, 0.7, 1.0, 1.5];
+pub const SOFTNESS: [f64; LEVELS] = [0.5, 0.7, 1.0, 1.5];
 /// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
@@ -47,31 +45,27 @@ pub struct Whitecaps {
 }
 
 impl Whitecaps {
-    /// The whitecaps of a sea under `settings`; those of the last sea are kept.
-    pub fn of(settings: &Settings, sea: &Arc<SeaTables>) -> Self {
-        type Kept = (Arc<SeaTables>, Foam, Whitecaps);
-        static LAST: Mutex<Option<Kept>> = Mutex::new(None);
-        let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        match last.as_ref().filter(|kept| kept.0 == *sea && kept.1 == settings.foam) {
-            Some(kept) => kept.2,
-            None => last.insert((sea.clone(), settings.foam, Self::new(settings.foam, sea))).2,
+    /// The whitecaps of a sea, at once. [`Seas`](crate::scene::sea::Seas) keeps them, and finds them while drawing goes on.
+    pub fn new(foam: Foam, sea: &SeaTables) -> Self {
+        let whitecaps = Self::without_map(foam, sea);
+        if foam.rule == FoamRule::Height {
+            return whitecaps;
         }
+        let (share, lifetime_s) = (whitecaps.share, foam.lifetime_s);
+        let (spectrum, chop) = (sea.sea.spectrum(), sea.sea.chop);
+        let folds = foam::folds(&spectrum, &sea.cascades, chop, TEXELS_M, SOFTNESS, share, lifetime_s);
+        Self { folds, ..whitecaps }
     }
 
-    /// The whitecaps of a sea. [`Foam::amount`] scales the share that is measured at sea
+    /// The whitecaps of a sea whose foam map is not drawn. [`Foam::amount`] scales the share that is measured at sea
     /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)).
-    pub fn new(foam: Foam, sea: &SeaTables) -> Self {
-        let (sea, tiles) = (&sea.sea, &sea.cascades);
+    pub fn without_map(foam: Foam, sea: &SeaTables) -> Self {
+        let sea = &sea.sea;
         let share =
             if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
-        let folds = if foam.rule == FoamRule::Height {
-            [Fold::NEVER; LEVELS]
-        } else {
-            foam::folds(&sea.spectrum(), tiles, sea.chop, TEXELS_M, SOFTNESS, share, foam.lifetime_s)
-        };
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
-        Self { share, folds, heights_m: [from * deviation, (from + 1.0) * deviation] }
+        Self { share, folds: [Fold::NEVER; LEVELS], heights_m: [from * deviation, (from + 1.0) * deviation] }
     }
 }
 

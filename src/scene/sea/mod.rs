@@ -3,5 +3,9 @@
 pub mod foam;
 pub mod foam_history;
 pub mod ride;
+pub mod seas;
 pub mod surface_sample;
 pub mod tables;
+pub mod thresholds;
+
+pub use seas::Seas;

@@ -1,46 +1,32 @@
 //! The eye over the moving water: its altitude counted from the surface at its place instead of from the ellipsoid.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
-use crate::model::lift::Lift;
-use crate::model::moved_water::Place;
-use crate::model::sea_tables::SeaTables;
-use crate::model::waves;
+use crate::scene::sea::Seas;
 use crate::scene::settings::Settings;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
 
-/// Height in metres of the drawn surface over the ellipsoid under the eye.
-pub fn surface_height(settings: &Settings, camera: &Camera, unix_seconds: f64) -> f64 {
-    type Kept = (Arc<SeaTables>, Vec<Lift>);
-    static LAST: Mutex<Option<Kept>> = Mutex::new(None);
-    let tables = SeaTables::of(settings);
-    if tables.sea.hs_m == 0.0 {
-        return 0.0;
-    }
-    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    let (_, lifts) = match last.take().filter(|(kept, _)| *kept == tables) {
-        Some(kept) => last.insert(kept),
-        None => {
-            let lift = |(index, cascade)| Lift::new(&tables, index, cascade);
-            let lifts = tables.cascades.iter().enumerate().map(lift).collect();
-            last.insert((tables.clone(), lifts))
-        }
-    };
-    let ticks = waves::ticks_from_unix(unix_seconds);
-    let evolved: Vec<_> = lifts.iter().map(|lift| lift.evolved(ticks)).collect();
-    let place = Place::new(&tables, settings.wind_from(), camera.lat, camera.lon);
-    let tile = |index: usize, at| lifts[index].motion(&evolved[index], at);
-    place.invert(tables.sea.chop, tile).1.height - tables.chop_level_m
-}
+/// Altitudes in crest heights between which a riding eye comes to rest: from the upper one on, a wave would move the picture by less
+/// than its pixels, 1/2000 of the altitude.
+const LEFT_BEHIND: [f64; 2] = [1_000.0, 2_000.0];
 
-impl ViewState {
-    /// The eye at an instant: the camera, lifted onto the moving surface when it rides.
-    pub fn eye(&self, unix_seconds: f64) -> Camera {
-        if !self.ride {
-            return self.camera;
-        }
-        let lift = surface_height(&self.settings, &self.camera, unix_seconds);
-        Camera { altitude_m: self.camera.altitude_m + lift, ..self.camera }
+impl Seas {
+    /// Height in metres of the drawn surface over the ellipsoid under the eye.
+    pub fn surface_height(&mut self, settings: &Settings, camera: &Camera, unix_seconds: f64) -> f64 {
+        self.height_at(settings, camera.lat, camera.lon, unix_seconds)
+    }
+
+    /// The eye of a state at an instant: the camera, lifted onto the moving surface when it rides.
+    pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
+        let riding = f64::from(u8::from(state.ride));
+        self.lifted(&state.settings, &state.camera, riding, unix_seconds)
+    }
+
+    /// A camera lifted by a part, 0…1, of the water's height below it; far up by less, and then by nothing.
+    pub fn lifted(&mut self, settings: &Settings, camera: &Camera, part: f64, unix_seconds: f64) -> Camera {
+        let crests = camera.altitude_m / self.drawn(settings).crest_m().max(1e-3);
+        let [from, to] = LEFT_BEHIND;
+        let part = part * ((to - crests) / (to - from)).clamp(0.0, 1.0);
+        let lift_m = if part > 0.0 { part * self.surface_height(settings, camera, unix_seconds) } else { 0.0 };
+        Camera { altitude_m: camera.altitude_m + lift_m, ..*camera }
     }
 }

@@ -3,10 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use crate::error::{Error, Result};
-use crate::model::drawn_tiles::DrawnTiles;
 use crate::model::moved_water::Place;
-use crate::model::sea_tables::SeaTables;
 use crate::model::waves;
+use crate::scene::sea::Seas;
 use crate::scene::settings::Settings;
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
@@ -34,36 +33,45 @@ pub fn allowed_by_depth(depth_m: f64, hs_m: f64) -> f64 {
     if hs_m > 0.0 { (HELD_BY_DEPTH * depth_m / hs_m).clamp(0.0, 1.0) } else { 1.0 }
 }
 
-/// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea).
-///
-/// These are the numbers that are drawn where the Perlin field has no weight, within 2 km of the eye: within a centimetre and
-/// 0.1°, except where a crest has folded over the place and there is more than one surface. The first sample of an instant
-/// transforms the tiles (some tenths of a second); further ones cost microseconds.
-pub fn sample_surface(settings: &Settings, lat: f64, lon: f64, unix_seconds: f64, depth_m: f64) -> SurfaceSample {
-    let tables = SeaTables::of(settings);
-    let allowed = allowed_by_depth(depth_m, tables.sea.hs_m);
-    if tables.sea.hs_m == 0.0 || allowed == 0.0 {
-        return SurfaceSample {
-            height_m: 0.0,
-            normal_enu: [0.0, 0.0, 1.0],
-            displacement_enu_m: [0.0; 3],
-            jacobian: 1.0,
-        };
-    }
-    let tiles = DrawnTiles::of(&tables, waves::ticks_from_unix(unix_seconds));
-    let place = Place::new(&tables, settings.wind_from(), lat, lon);
-    let chop = tables.sea.chop;
-    let (rest, motion) = place.invert(allowed * chop, |index, at| tiles.motion(index, at));
-    let gradient = motion.chop_gradient(chop);
-    let jacobian = gradient.jacobian();
-    let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)
-        * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
-    let height_m = allowed * (motion.height - tables.chop_level_m);
-    SurfaceSample {
-        height_m,
-        normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),
-        displacement_enu_m: [-rest.x, -rest.y, height_m],
-        jacobian,
+impl Seas {
+    /// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea).
+    ///
+    /// These are the numbers that are drawn where the Perlin field has no weight, within 2 km of the eye: within a centimetre and
+    /// 0.1°, except where a crest has folded over the place and there is more than one surface. The first sample of an instant
+    /// transforms the tiles (some tenths of a second); further ones cost microseconds.
+    pub fn sample(
+        &mut self,
+        settings: &Settings,
+        lat: f64,
+        lon: f64,
+        unix_seconds: f64,
+        depth_m: f64,
+    ) -> SurfaceSample {
+        let tables = self.tables(settings);
+        let allowed = allowed_by_depth(depth_m, tables.sea.hs_m);
+        if tables.sea.hs_m == 0.0 || allowed == 0.0 {
+            return SurfaceSample {
+                height_m: 0.0,
+                normal_enu: [0.0, 0.0, 1.0],
+                displacement_enu_m: [0.0; 3],
+                jacobian: 1.0,
+            };
+        }
+        let tiles = self.tiles(&tables, waves::ticks_from_unix(unix_seconds));
+        let place = Place::new(&tables, settings.wind_from(), lat, lon);
+        let chop = tables.sea.chop;
+        let (rest, motion) = place.invert(allowed * chop, |index, at| tiles.motion(index, at));
+        let gradient = motion.chop_gradient(chop);
+        let jacobian = gradient.jacobian();
+        let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)
+            * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
+        let height_m = allowed * (motion.height - tables.chop_level_m);
+        SurfaceSample {
+            height_m,
+            normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),
+            displacement_enu_m: [-rest.x, -rest.y, height_m],
+            jacobian,
+        }
     }
 }
 
@@ -72,7 +80,14 @@ pub fn sample_surface(settings: &Settings, lat: f64, lon: f64, unix_seconds: f64
 ///
 /// # Errors
 /// [`Error::BadValue`] for a fragment, a place or an instant that is none.
-pub fn sample_link(fragment: &str, lng_deg: f64, lat_deg: f64, time: &str, now_s: f64) -> Result<SurfaceSample> {
+pub fn sample_link(
+    seas: &mut Seas,
+    fragment: &str,
+    lng_deg: f64,
+    lat_deg: f64,
+    time: &str,
+    now_s: f64,
+) -> Result<SurfaceSample> {
     let (state, complaints) = ViewState::parse_fragment(fragment, None);
     if let Some(complaint) = complaints.into_iter().next() {
         return Err(complaint);
@@ -84,7 +99,7 @@ pub fn sample_link(fragment: &str, lng_deg: f64, lat_deg: f64, time: &str, now_s
         return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
     }
     let instant = instant(&state, Some(time).filter(|time| !time.trim().is_empty()), now_s)?;
-    Ok(sample_surface(&state.settings, lat_deg.to_radians(), lng_deg.to_radians(), instant, f64::INFINITY))
+    Ok(seas.sample(&state.settings, lat_deg.to_radians(), lng_deg.to_radians(), instant, f64::INFINITY))
 }
 
 /// The instant that a text asks for, else the state's, UTC seconds since 1970.

@@ -1,6 +1,6 @@
 //! The sea that the settings ask for.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use crate::model::sea::{Sea, Swell};
 use crate::model::sea_tables::SeaTables;
@@ -31,15 +31,8 @@ pub fn sea_of(settings: &Settings) -> Sea {
 }
 
 impl SeaTables {
-    /// The tables of the sea that `settings` ask for; those of the last sea are kept.
+    /// The tables of the sea that `settings` ask for. [`Seas`](crate::scene::sea::Seas) keeps them.
     pub fn of(settings: &Settings) -> Arc<Self> {
-        static LAST: Mutex<Option<Arc<SeaTables>>> = Mutex::new(None);
-        let sea = sea_of(settings);
-        let n = tile_samples(settings.quality);
-        let mut last = LAST.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        match last.as_ref().filter(|kept| kept.sea == sea && kept.cascades[0].n == n) {
-            Some(kept) => kept.clone(),
-            None => last.insert(Arc::new(Self::new(sea, n))).clone(),
-        }
+        Arc::new(Self::new(sea_of(settings), tile_samples(settings.quality)))
     }
 }
