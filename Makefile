@@ -5,10 +5,10 @@
 run:    ## sets up, builds and serves the page on http://127.0.0.1:8080 (PORT=9000 make run: on another port)
 	@scripts/run.sh
 
-build:  ## builds the page into dist/ and the native program, if anything has changed
+build:  ## builds the page for visitors, as small as it goes, into dist/, and the native program, if anything has changed
 	@scripts/build.sh
 
-test:   ## sets up and runs every test: native, headless GPU, browser
+test:   ## sets up and runs every test: native, headless GPU, Firefox and Chromium
 	@scripts/test.sh
 
 bench:  ## measures the waves on CPU and GPU, then what a frame costs at every named view and from five heights; tables, and JSON in target/bench

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes a fresh machine able to build and serve the page (`setup.sh run`), or to run every test too (`setup.sh test`).
-# It installs what is missing and nothing else, so a second run takes a second. Needs rustup's Rust, Node with npm and, for
-# tests, root or sudo for apt-get, or Chromium and a Vulkan driver that are there already.
+# Installs what a fresh machine lacks: `setup.sh compiler` for compiling the page, `run` for building and serving it, `build` for
+# making it small, `test` for what tests need besides a page. Nothing that is there already, so a second run takes a second. Needs rustup's
+# Rust, Node with npm and, for tests, root or sudo for apt-get, or Firefox, Chromium and a Vulkan driver that are there already.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/env.sh"
 
@@ -14,14 +14,19 @@ TARGET=wasm32-unknown-unknown
 
 fail() { printf '\nSet-up failed: %s\n  What to do: %s\n' "$1" "$2" >&2; exit 1; }
 
-# step NAME CHECK INSTALL REMEDY: installs what the check does not find, tells the seconds, and shows the end of the log on failure.
+# step NAME CHECK INSTALL REMEDY [CRATES MINUTES]: installs what the check does not find, tells the seconds, and shows the end of the
+# log on failure. With the last two it is a compilation, which tells how far it is.
 step() {
   if $2 >/dev/null 2>&1; then printf '  ready    %s\n' "$1"; return; fi
   printf '  install  %s …\n' "$1"
   local start=$SECONDS log="$CACHE/log/$3.log"
   mkdir -p "$CACHE/bin" "$CACHE/log"
-  if ! $3 >"$log" 2>&1 || ! $2 >>"$log" 2>&1; then tail -n 20 "$log" >&2; fail "$1 (log: $log)" "$4"; fi
+  if ! installed "$1" "$log" "$3" "${@:5}" || ! $2 >>"$log" 2>&1; then tail -n 20 "$log" >&2; fail "$1 (log: $log)" "$4"; fi
   printf '           %s installed in %s s\n' "$1" $((SECONDS - start))
+}
+
+installed() {  # NAME LOG INSTALL [CRATES MINUTES]
+  if [ $# -gt 3 ]; then compiling "$1" "$2" "$4" "$5" "$3"; else $3 >"$2" 2>&1; fi
 }
 
 # grep without -q, throughout: it would close the pipe early, and pipefail counts that as a failure.
@@ -42,8 +47,7 @@ cargo_install() {  # CRATE VERSION [cargo install's options]
   export CARGO_PROFILE_RELEASE_DEBUG=0 CARGO_INCREMENTAL=0 CARGO_TARGET_DIR="$CACHE/build"
   # A mirror of the registry may lag behind the program's own lock file; then its version requirements must do.
   cargo install "$crate" --version "$version" --root "$CACHE/cargo" --force --locked "$@" ||
-    cargo install "$crate" --version "$version" --root "$CACHE/cargo" --force "$@" || return 1
-  rm -rf "$CACHE/build"
+    cargo install "$crate" --version "$version" --root "$CACHE/cargo" --force "$@"
 }
 link_tool() { ln -sfn "$CACHE/cargo/bin/$1" "$CACHE/bin/$1"; }
 has_wasm_bindgen() { is_version wasm-bindgen "$WASM_BINDGEN"; }
@@ -64,12 +68,16 @@ get_wasm_opt() {
   npm install --prefix "$CACHE/npm" --no-audit --no-fund --save-exact "binaryen@$BINARYEN" &&
     ln -sfn "$CACHE/npm/node_modules/.bin/wasm-opt" "$CACHE/bin/wasm-opt"
 }
+has_server() { cmp scripts/serve/package-lock.json "$CACHE/serve-packages.json" && [ -d scripts/serve/node_modules/sirv ]; }
+get_server() {
+  npm ci --prefix scripts/serve --no-audit --no-fund && cp scripts/serve/package-lock.json "$CACHE/serve-packages.json"
+}
 has_test_packages() { cmp tests/browser/package-lock.json "$CACHE/test-packages.json" && [ -d tests/browser/node_modules ]; }
 get_test_packages() {
   npm ci --prefix tests/browser --no-audit --no-fund && cp tests/browser/package-lock.json "$CACHE/test-packages.json"
 }
 
-# ---- For tests: a browser and a Vulkan driver -----------------------------------------------------------------------------------
+# ---- For tests: two browsers and a Vulkan driver ---------------------------------------------------------------------------------
 apt_install() {
   local root=""
   command -v apt-get || { echo "no apt-get here"; return 1; }
@@ -77,7 +85,9 @@ apt_install() {
   $root apt-get update || true
   $root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
 }
-has_chromium() { node tests/browser/lib/chromium.mjs; }
+has_firefox() { node tests/browser/lib/find.mjs firefox; }
+get_firefox() { apt_install firefox-esr; }
+has_chromium() { node tests/browser/lib/find.mjs chromium; }
 get_chromium() { apt_install chromium; }
 # A driver for the hardware that is there, or Mesa's lavapipe, which needs none. macOS has Metal.
 has_vulkan() {
@@ -97,8 +107,8 @@ get_vulkan() { apt_install libvulkan1 mesa-vulkan-drivers; }
 
 # ---- The steps ------------------------------------------------------------------------------------------------------------
 what=${1:-run}
-[ "$what" = run ] || [ "$what" = test ] || fail "unknown argument $what" "scripts/setup.sh run, or scripts/setup.sh test"
-printf 'Set-up for make %s (own tools in %s)\n' "$what" "$CACHE"
+case $what in compiler | run | build | test) ;; *) fail "unknown argument $what" "scripts/setup.sh compiler, run, build or test" ;; esac
+printf 'Set-up (own tools in %s)\n' "$CACHE"
 
 command -v cargo >/dev/null || fail "no Rust here" "install it from https://rustup.rs, then open a new shell"
 rust=$(rustc --version | cut -d ' ' -f 2)
@@ -108,10 +118,15 @@ node=$(node --version); at_least "$NODE" "${node#v}" || fail "Node.js $node is t
 
 online="see the log; with a network that reaches the crate and npm registries, run it again: it goes on where it stopped"
 step "Rust's $TARGET" has_wasm_std get_wasm_std "install Rust with rustup, then: rustup target add $TARGET"
-step "wasm-bindgen $WASM_BINDGEN" has_wasm_bindgen get_wasm_bindgen "$online"
-step "Trunk $TRUNK" has_trunk get_trunk "$online"
-step "wasm-opt ${BINARYEN%%.*} (binaryen)" has_wasm_opt get_wasm_opt "$online"
+if [ "$what" = run ] || [ "$what" = build ]; then
+  step "wasm-bindgen $WASM_BINDGEN" has_wasm_bindgen get_wasm_bindgen "$online" 160 '1 to 2'
+  step "Trunk $TRUNK" has_trunk get_trunk "$online" 370 '2 to 5'
+  rm -rf "$CACHE/build"
+fi
+if [ "$what" = run ] || [ "$what" = test ]; then step "server of make run" has_server get_server "$online"; fi
+if [ "$what" = build ]; then step "wasm-opt ${BINARYEN%%.*} (binaryen)" has_wasm_opt get_wasm_opt "$online"; fi
 if [ "$what" = test ]; then
+  step "Firefox" has_firefox get_firefox "install Firefox, or set FIREFOX=/path/to/its/program"
   step "Chromium" has_chromium get_chromium "install Chromium or Chrome, or set CHROMIUM=/path/to/its/program"
   step "Vulkan driver" has_vulkan get_vulkan "install your graphics card's driver or Mesa's lavapipe (Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)"
   step "test packages" has_test_packages get_test_packages "$online"

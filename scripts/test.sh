@@ -18,15 +18,18 @@ native() {
     cargo test --locked --no-fail-fast
   fi
 }
-# The same page, built quickly: the profile web-test, and no wasm-opt as it is no release.
-page() { web trunk build --dist "$TARGET_DIR/test-page"; }
+built_page() { wait $page; local code=$?; cat "$page_log"; return $code; }
 browser() {
-  OCEAN_GLOBE_PAGE=$TARGET_DIR/test-page OCEAN_GLOBE=$TARGET_DIR/debug/ocean-globe \
-    node --test --test-concurrency=1 --test-reporter=spec tests/browser/*.test.mjs
+  OCEAN_GLOBE_PAGE=$QUICK_PAGE OCEAN_GLOBE=$TARGET_DIR/debug/ocean-globe \
+    node --test --test-reporter=spec tests/browser/pages.test.mjs
 }
 
-stage "the page" page
+# The page is built meanwhile: compilers and native tests leave a core idle at times. What it had to say comes after the tests.
+page_log=$(mktemp)
+scripts/page.sh >"$page_log" 2>&1 & page=$!
+trap 'kill $page 2>/dev/null; rm -f "$page_log"' EXIT
 stage "native tests" native
+stage "the page" built_page
 stage "browser tests" browser
 if [ ${#failed[@]} -gt 0 ]; then printf '\nFailed: %s\n' "$(IFS=,; echo "${failed[*]}")"; exit 1; fi
 printf '\nAll tests passed after %s s\n' "$SECONDS"

@@ -5,15 +5,17 @@
 @group(1) @binding(0) var radiance: texture_storage_3d<rgba16float, write>;
 @group(1) @binding(1) var irradiance: texture_storage_2d<rgba16float, write>;
 
-// Radiance from zenith cosine mu, `azimuth` from the sun at zenith cosine mu_sun, for an observer at sea level.
+// Radiance from zenith cosine mu, `azimuth` from the sun at zenith cosine mu_sun, for an observer at sea level. On a sphere, so that
+// the tables do not depend on where the eye was when they were made.
 fn sky(mu: f32, azimuth: f32, mu_sun: f32) -> vec3f {
-    let gradient = vec3f(0.0, 0.0, 0.5 * frame.semi_major / frame.foot_nu);
+    let curvature = 0.5 / frame.semi_major;
     let flat = sqrt(max(1.0 - mu * mu, 0.0));
     let direction = vec3f(flat * cos(azimuth), flat * sin(azimuth), mu);
     let sun = vec3f(sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), 0.0, mu_sun);
-    let ray = ray_coefficients(direction, gradient, 0.0);
+    let ray = Ray(curvature, 0.5 * mu, 0.0);
     let shell = shell_hits(ray, TOP);
-    return scatter(Sight(ray, direction, gradient, sun), 0.0, shell.y, 32u, 0.0).radiance;
+    let sight = Sight(ray, direction, vec3f(0.0, 0.0, 0.5), curvature * direction, sun);
+    return scatter(sight, 0.0, shell.y, 32u, 0.0).radiance;
 }
 
 @compute @workgroup_size(4, 4, 4)

@@ -51,8 +51,9 @@ fn mie_phase(c: f32) -> f32 {
 
 struct Scattered { radiance: vec3f, transmittance: vec3f }
 
-// Where a ray starts and what lights it: the ray, its unit direction, the ellipsoid's gradient at its start, the sun.
-struct Sight { ray: Ray, direction: vec3f, gradient: vec3f, sun: vec3f }
+// Where a ray starts and what lights it: the ray, its unit direction, the ellipsoid's gradient at its start, what is added to the
+// gradient per metre along the ray, the sun.
+struct Sight { ray: Ray, direction: vec3f, gradient: vec3f, gradient_turn: vec3f, sun: vec3f }
 
 // Light scattered towards the start of a ray between two distances, and what of the far end's light comes through. Steps are
 // short where the air is dense: at the near end for a `sink` of 0, at the far end for 1, even for ½.
@@ -70,7 +71,7 @@ fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32, sink: f32) -> Scatt
         let dt = (to_t - from_t) * (grown - previous);
         previous = grown;
         let h = max(height_along(sight.ray, t), 0.0);
-        let up = normalize(sight.gradient + quadric_times(sight.direction * t));
+        let up = normalize(sight.gradient + t * sight.gradient_turn);
         let mu_sun = dot(up, sight.sun);
         let density_r = exp(-h / RAYLEIGH_HEIGHT);
         let density_m = exp(-h / MIE_HEIGHT);
@@ -103,6 +104,6 @@ fn scatter_to(direction: vec3f, to_t: f32, steps: u32, sink: f32) -> Scattered {
     let ray = eye_ray(direction);
     let shell = shell_hits(ray, TOP);
     if shell.y <= max(shell.x, 0.0) { return Scattered(vec3f(0.0), vec3f(1.0)); }
-    let sight = Sight(ray, direction, frame.quadric_gradient, frame.sun);
+    let sight = Sight(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
     return scatter(sight, max(shell.x, 0.0), min(shell.y, to_t), steps, sink);
 }

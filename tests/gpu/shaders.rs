@@ -48,7 +48,7 @@ fn files(folder: &str) -> BTreeSet<String> {
 #[test]
 fn every_shader_is_valid_within_the_default_limits() {
     let all = all();
-    // For the browser's compiler, which is stricter: tests/browser/shaders.test.mjs.
+    // For the browser's compiler, which is stricter: tests/browser/suites/shaders.mjs.
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("shaders");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();

@@ -1,4 +1,4 @@
-// The page on loopback: by the program's own server, or by one that can be told to misbehave.
+// The page on loopback: by the program's own server, by that of make run, or by one that can be told to misbehave.
 
 import { spawn } from "node:child_process";
 import { createServer } from "node:http";
@@ -9,13 +9,18 @@ import { fileURLToPath } from "node:url";
 const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 
 /** Folder of the built page. */
-export const PAGE = resolve(ROOT, process.env.OCEAN_GLOBE_PAGE ?? "target/test-page");
+export const PAGE = resolve(ROOT, process.env.OCEAN_GLOBE_PAGE ?? "target/page");
 /** The native program. */
 export const PROGRAM = resolve(ROOT, process.env.OCEAN_GLOBE ?? "target/debug/ocean-globe");
 
 /** `ocean-globe serve` on a free port: its address and how to end it. */
-export async function startProduct() {
-  const child = spawn(PROGRAM, ["serve", PAGE, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+export const startProduct = () => startProgram(PROGRAM, ["serve", PAGE, "--port", "0"]);
+
+/** The server of `make run`, likewise. */
+export const startServer = () => startProgram(process.execPath, [join(ROOT, "scripts/serve/serve.mjs"), PAGE, "0"]);
+
+async function startProgram(program, args) {
+  const child = spawn(program, args, { stdio: ["ignore", "pipe", "inherit"] });
   const address = await new Promise((resolve, reject) => {
     let text = "";
     child.stdout.on("data", (chunk) => {
@@ -24,7 +29,7 @@ export async function startProduct() {
       if (found) resolve(found[0]);
     });
     child.on("error", reject);
-    child.on("exit", (code) => reject(new Error(`serve ended with ${code}: ${text}`)));
+    child.on("exit", (code) => reject(new Error(`${program} ended with ${code}: ${text}`)));
   });
   return { address, close: () => child.kill() };
 }

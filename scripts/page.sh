@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Builds the page quickly, for make run and the browser tests: little optimised and without wasm-opt, which makes it no faster, only
+# smaller (make build makes the small one). Does nothing when nothing has changed.
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/env.sh"
+
+mark=$QUICK_PAGE/.built
+if is_built "$mark"; then exit; fi
+begun=$(mktemp)
+
+# The program compiles while the tools do, as each leaves a core idle at times; trunk then finds it compiled.
+compile() { web cargo build --locked --target wasm32-unknown-unknown --profile web-test --bin ocean-globe; }
+log=$CACHE/log/page.log
+scripts/setup.sh compiler
+compiling "the page" "$log" 150 '2 to 5' compile & page=$!
+scripts/setup.sh run || { kill $page; exit 1; }
+wait $page || { cat "$log" >&2; exit 1; }
+web trunk --quiet build --dist "$QUICK_PAGE"
+# What was edited during the build is newer than the mark, and so is built the next time.
+touch -r "$begun" "$mark"; rm "$begun"
+printf 'The page is built after %s s: %s\n\n' "$SECONDS" "$QUICK_PAGE"

@@ -1,0 +1,16 @@
+// The browser's picture is the native one: the same core, the same sea, for the same link.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { shares } from "../lib/picture.mjs";
+import { assertSamePicture } from "../lib/same.mjs";
+import { AT_SEA, COAST, FROM_ORBIT } from "../lib/views.mjs";
+
+export function samePictureTests(site) {
+  for (const [name, fragment] of Object.entries({ FROM_ORBIT, COAST, AT_SEA })) {
+    test(`browser and native draw the same: ${name}`, async (t) => {
+      const native = await assertSamePicture(t, site, fragment);
+      assert.ok(shares(native).dark < 0.9, "the picture is empty");
+    });
+  }
+}

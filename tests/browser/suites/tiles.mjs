@@ -1,0 +1,65 @@
+// The world streams in from servers good and bad.
+
+import assert from "node:assert/strict";
+import { before, describe, test } from "node:test";
+import { Globe } from "../lib/browser.mjs";
+import { colourAt, difference, kindOf } from "../lib/picture.mjs";
+import { startBreakable } from "../lib/servers.mjs";
+import { COAST, FROM_ORBIT } from "../lib/views.mjs";
+
+const garbage = (bytes) => bytes.map((byte, index) => byte ^ (index * 37 + 11));
+
+export const tileTests = (site) => describe("tiles", () => {
+  let whole;
+  before(async () => {
+    whole = await coastFrom(await startBreakable());
+  });
+
+  /** The picture of the coast from a server, and what the page asked it for. */
+  async function coastFrom(server) {
+    const globe = await Globe.open(site.browser, server.address, { fragment: COAST, query: "?panel=off" });
+    await globe.settled();
+    const picture = await globe.picture();
+    assert.deepEqual(globe.errors(), []);
+    await globe.close();
+    server.close();
+    return { picture, requests: server.requests.filter(({ path }) => path.endsWith(".pmtiles")) };
+  }
+
+  test("tiles come by ranges, a small part of the archives", () => {
+    assert.ok(whole.requests.length > 0);
+    assert.deepEqual(whole.requests.filter(({ range }) => !range), []);
+  });
+
+  test("a server without ranges gives the same picture, each archive fetched once", async () => {
+    const { picture, requests } = await coastFrom(await startBreakable({ ranges: false }));
+    const same = difference(whole.picture, picture);
+    assert.equal(same.worst, 0, JSON.stringify(same));
+    const paths = requests.map(({ path }) => path);
+    assert.ok(paths.length <= 2 * new Set(paths).size, `asked too often for whole archives: ${paths}`);
+  });
+
+  for (const [name, broken] of Object.entries({ "answers 500": 500, "sends garbage": garbage })) {
+    test(`a tile server that ${name} leaves the parents' picture and one clear line in the console`, async () => {
+      const server = await startBreakable();
+      const globe = await Globe.open(site.browser, server.address, { fragment: FROM_ORBIT, query: "?panel=off" });
+      await globe.settled();
+      const before = globe.console.length;
+      server.behaviour.answer = (path) => (path.endsWith(".pmtiles") ? broken : undefined);
+      await globe.follow(COAST);
+
+      const picture = await globe.picture();
+      const [west, east] = [colourAt(picture, 0.1, 0.5), colourAt(picture, 0.85, 0.4)];
+      assert.equal(kindOf(west), "sea", `west: ${west}`);
+      assert.equal(kindOf(east), "land", `east: ${east}`);
+      assert.equal(await globe.state(), "running");
+
+      const lines = globe.console.slice(before).map(({ text }) => text);
+      assert.ok(lines.some((text) => /tile|pmtiles/i.test(text)), `no line says which tile: ${lines.join("\n")}`);
+      assert.equal(new Set(lines).size, lines.length, `the same line again and again:\n${lines.join("\n")}`);
+      assert.ok(!lines.some((text) => /panicked|uncaught/.test(text)), lines.join("\n"));
+      await globe.close();
+      server.close();
+    });
+  }
+});
