@@ -25,7 +25,9 @@ compiling() {
   shift 4
   mkdir -p "$(dirname "$log")"
   printf '  %s: compiles; a first time usually takes %s minutes on two cores\n' "$name" "$minutes"
-  "$@" >"$log" 2>&1 & job=$!
+  # A group of its own, to end with all that it has started: Ctrl-C does not reach what runs in the background.
+  set -m; "$@" >"$log" 2>&1 </dev/null & job=$!; set +m
+  trap "kill -- -$job 2>/dev/null || true" EXIT
   while kill -0 $job 2>/dev/null; do
     sleep 0.2
     if [ $((SECONDS - told)) -ge 20 ]; then
@@ -33,5 +35,6 @@ compiling() {
       printf '  %s: %s of about %s crates after %s s\n' "$name" "$(grep -c '^ *Compiling' "$log")" "$crates" $((SECONDS - start))
     fi
   done
+  trap - EXIT
   wait $job
 }

@@ -13,7 +13,8 @@ compile() { web cargo build --locked --target wasm32-unknown-unknown --profile w
 log=$CACHE/log/page.log
 scripts/setup.sh compiler
 compiling "the page" "$log" 150 '2 to 5' compile & page=$!
-scripts/setup.sh run || { kill $page; exit 1; }
+trap 'kill $page 2>/dev/null || true' EXIT
+scripts/setup.sh run
 wait $page || { cat "$log" >&2; exit 1; }
 web trunk --quiet build --dist "$QUICK_PAGE"
 # What was edited during the build is newer than the mark, and so is built the next time.

@@ -15,9 +15,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
     if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
-    // Below the deepest trough and the flattest triangle, land or sea covers the sky; should a pixel of theirs miss, the clear colour
-    // stands there.
-    let covered = shell_hits(eye_ray(direction), -500.0);
+    // Below the deepest trough and the flattest triangle, and a pixel inside the limb, land or sea covers the sky; should a pixel of
+    // theirs miss, the clear colour stands there.
+    let ray = eye_ray(direction);
+    let limb_distance = sqrt(max(ray.c, 0.0) / ray.a);
+    let covered = shell_hits(ray, -500.0 - limb_distance * frame.pixel_angle);
     let both = SHOWS_LAND | SHOWS_SEA;
     if (frame.layers & both) == both && covered.y > max(covered.x, 0.0) {
         discard;

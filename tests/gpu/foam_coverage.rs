@@ -7,7 +7,7 @@ use ocean_globe::model::waves;
 use ocean_globe::scene::sea::foam::{LEVELS, TEXELS_M, Whitecaps};
 use ocean_globe::scene::settings::{self, Settings};
 
-use crate::foam_map::{NOON, Sea, blown, mean, ticks};
+use crate::foam_map::{NOON, Sea, blown, ticks};
 
 /// Mean foam of each level under a wind, over places and instants.
 fn coverage(settings: &Settings) -> [f64; LEVELS] {
@@ -28,17 +28,22 @@ fn coverage(settings: &Settings) -> [f64; LEVELS] {
     let mut maps = [elsewhere([0; 4], 0), elsewhere([1, 1, 2, 3], 4)].map(|uniform| sea.map(&uniform));
     let levels = [[0; 4], [1, 1, 2, 3]];
     let (mut sums, mut counts) = ([0.0; LEVELS], [0.0; LEVELS]);
-    let start = waves::ticks_from_unix(NOON);
-    // Two and a half lifetimes to forget all but a twelfth of the beginning, then instants two seconds apart.
-    let settled = (2.5 * settings.foam.lifetime_s / 0.125) as u64;
-    for index in 0..settled + 80 {
-        let now = start + index * ticks(0.125);
+    // By the steps of a replay of the usual lifetime, which are as long as crests are still met often enough (`foam::ungrown`): two
+    // lifetimes coarsely and one finely leave a twentieth of the beginning; then five instants two seconds apart. `foam_history.rs` holds
+    // such steps to those of 1/8 s and of 1/60 s.
+    const FINE_S: f64 = 0.25;
+    let (fine, eye) = (ticks(FINE_S), &sea.frame.foam_eye);
+    let lifetime = (settings.foam.lifetime_s / FINE_S).ceil() as usize;
+    let mut now = waves::ticks_from_unix(NOON);
+    let steps = vec![2 * fine; lifetime].into_iter().chain(vec![fine; lifetime + 32]);
+    for (index, step) in steps.enumerate() {
+        now += step;
         sea.run(now);
         for (map, levels) in maps.iter_mut().zip(levels) {
-            sea.step(map, now, &sea.frame.foam_eye);
-            if index >= settled && index % 16 == 0 {
-                for (channel, level) in levels.into_iter().enumerate() {
-                    sums[level] += mean(&sea.foam(map, channel));
+            sea.step_as(map, levels, now, eye);
+            if (index + 1).checked_sub(2 * lifetime).is_some_and(|since| since.is_multiple_of(8)) {
+                for (foam, level) in sea.means(map).into_iter().zip(levels) {
+                    sums[level] += foam;
                     counts[level] += 1.0;
                 }
             }

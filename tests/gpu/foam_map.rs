@@ -3,13 +3,13 @@
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::texture;
-use ocean_globe::model::wave_domain;
 use ocean_globe::model::waves::{self, TICKS_PER_SECOND};
+use ocean_globe::model::{foam, wave_domain};
 use ocean_globe::pass::fft::{Fft, Precision, WaveData};
 use ocean_globe::pass::foam::Foam;
 use ocean_globe::scene::frame::{Frame, FrameUniform};
-use ocean_globe::scene::sea::foam::{FoamEye, TEXELS_M};
-use ocean_globe::scene::sea::foam_history::History;
+use ocean_globe::scene::sea::foam::{FoamEye, LEVELS, TEXELS_M};
+use ocean_globe::scene::sea::foam_history::{FoamStep, History};
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
@@ -84,21 +84,37 @@ impl Sea {
         self.map(&self.frame.uniform)
     }
 
-    /// Waves at an instant.
+    /// Waves at an instant, as far as foam is made from them.
     pub fn run(&self, now: u64) {
         self.fft.set_time(&self.gpu, now);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             self.fft.dispatch(&mut pass);
-            self.fft.dispatch_mips(&mut pass);
+            self.fft.dispatch_stretch_mips(&mut pass);
         }
         self.gpu.queue.submit([encoder.finish()]);
     }
 
     /// Brings a map to an instant whose waves are there.
     pub fn step(&self, map: &mut Map, now: u64, eye: &FoamEye) {
-        map.foam.prepare(&self.gpu, &map.history.step(now, eye, self.lifetime_s));
+        let step = map.history.step(now, eye, self.lifetime_s);
+        self.advance(map, &step);
+    }
+
+    /// As [`Sea::step`], of a map whose squares are laid out as these levels: foam grows by the crests of its level.
+    pub fn step_as(&self, map: &mut Map, levels: [usize; LEVELS], now: u64, eye: &FoamEye) {
+        let mut step = map.history.step(now, eye, self.lifetime_s);
+        if step.empty == 0 {
+            // Every square is due at every step: the time that has passed is what all of them have decayed by.
+            let dt_s = -self.lifetime_s * f64::from(step.keep[0]).ln();
+            step.grow = levels.map(|level| foam::ungrown(TEXELS_M[level], dt_s) as f32);
+        }
+        self.advance(map, &step);
+    }
+
+    fn advance(&self, map: &mut Map, step: &FoamStep) {
+        map.foam.prepare(&self.gpu, step);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -132,7 +148,19 @@ impl Sea {
 
     /// Foam of one level of a map, by slot.
     pub fn foam(&self, map: &Map, level: usize) -> Vec<f32> {
+        self.texels(map).into_iter().map(|texel| texel[level]).collect()
+    }
+
+    /// Mean foam of each level of a map.
+    pub fn means(&self, map: &Map) -> [f64; LEVELS] {
+        let texels = self.texels(map);
+        std::array::from_fn(|level| {
+            texels.iter().map(|texel| f64::from(texel[level])).sum::<f64>() / texels.len() as f64
+        })
+    }
+
+    fn texels(&self, map: &Map) -> Vec<[f32; LEVELS]> {
         let bytes = self.gpu.read_texture(&map.foam.textures[map.foam.current()], 0, 0).unwrap();
-        bytes.chunks_exact(16).map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel)[level]).collect()
+        bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect()
     }
 }

@@ -214,10 +214,8 @@ fn no_tile_shows_its_period() {
             let camera = Camera { lat: lat * 0.9, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
             let frame =
                 reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
-            // The other field has no weight there; it is made once, so that it would be seen.
-            if tile != PERLIN_TILE || seed == 0 {
-                water.set_waves(&alone.tiles, &alone.data(seed), frame.ticks());
-            }
+            water.set_waves(&alone.tiles, &alone.data(seed), frame.ticks());
+            // It has no weight at the waves' places; made once, it would be seen there.
             if tile == PERLIN_TILE || seed == 0 {
                 water.set_noise(&frame);
             }
@@ -294,10 +292,8 @@ fn the_variance_is_the_same_everywhere() {
             let camera = Camera { lat, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
             let frame =
                 reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
-            // The other field has no weight there; it is made once, so that it would be seen.
-            if what == "near" || seed == 0 {
-                water.set_waves(&all.tiles, &all.data(seed), frame.ticks());
-            }
+            water.set_waves(&all.tiles, &all.data(seed), frame.ticks());
+            // It has no weight near by; made once, it would be seen there.
             if what == "far" || seed == 0 {
                 water.set_noise(&frame);
             }

@@ -1,5 +1,6 @@
 //! Whole pictures, the commands that make them, and the window.
 
+mod any_view;
 mod bench;
 mod flight;
 mod horizon;

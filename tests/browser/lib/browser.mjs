@@ -30,10 +30,13 @@ const BROWSERS = {
 /** Two cores that draw a frame in half a second need time to compile pipelines and to stream tiles. */
 export const SETTLE_MS = 180_000;
 
+/** A page that compiles pipelines or simulates a new sea may answer late. */
+const LONGEST_ANSWER_MS = 600_000;
+
 /** One browser, of those above; close it before the next one starts. */
 export function launch(name) {
   const { executablePath, ...options } = BROWSERS[name];
-  return puppeteer.launch({ ...options, executablePath: executablePath(), headless: true, protocolTimeout: SETTLE_MS });
+  return puppeteer.launch({ ...options, executablePath: executablePath(), headless: true, protocolTimeout: LONGEST_ANSWER_MS });
 }
 
 /** The globe in a page of its own, 640 x 360 pixels unless told otherwise. */

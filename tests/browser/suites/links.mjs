@@ -14,7 +14,7 @@ export function linkTests(site) {
     const fragment = await fresh.fragment();
     assert.match(fragment.view, /^35(\.0+)?,-30(\.0+)?,12(\.0+)?,270(\.0+)?,80/);
     assert.equal(fragment.wind, "14@250");
-    assert.deepEqual(difference(picture, await fresh.picture()).worst, 0, "the same link gives another picture");
+    assert.equal(difference(picture, await fresh.picture()).worst, 0, "the same link gives another picture");
     await fresh.close();
     const other = difference(picture, await site.pictureOf(COAST));
     assert.ok(other.mean > 10, `another link gives the same picture: ${JSON.stringify(other)}`);
@@ -23,18 +23,18 @@ export function linkTests(site) {
   test("back and forward step through the views", async () => {
     const globe = await site.show(FROM_ORBIT);
     const orbit = await globe.picture();
-    await site.show(AT_SEA);
-    const sea = await globe.picture();
-    assert.ok(difference(orbit, sea).mean > 10);
+    await site.show(COAST);
+    const coast = await globe.picture();
+    assert.ok(difference(orbit, coast).mean > 10);
 
     await globe.settledAfter(() => globe.page.evaluate(() => history.back()));
     site.shown = FROM_ORBIT;
-    assert.match((await globe.fragment()).view, /^38/);
+    assert.match((await globe.fragment()).view, /^38(\.0+)?,-2/);
     assert.equal(difference(orbit, await globe.picture()).worst, 0, "back shows another picture");
     await globe.settledAfter(() => globe.page.evaluate(() => history.forward()));
-    site.shown = AT_SEA;
-    assert.match((await globe.fragment()).view, /^35/);
-    assert.equal(difference(sea, await globe.picture()).worst, 0, "forward shows another picture");
+    site.shown = COAST;
+    assert.match((await globe.fragment()).view, /^38\.70*,-9/);
+    assert.equal(difference(coast, await globe.picture()).worst, 0, "forward shows another picture");
     assert.deepEqual(globe.errors(), []);
   });
 

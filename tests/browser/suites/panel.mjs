@@ -9,7 +9,8 @@ import { AT_SEA } from "../lib/views.mjs";
 export const panelTests = (site) => describe("the panel", () => {
   let globe;
   before(async () => {
-    globe = await site.open({ fragment: AT_SEA });
+    // Every click is followed by a new sea: a coarse one serves, and takes less time.
+    globe = await site.open({ fragment: `${AT_SEA}&quality=low` });
     await globe.settled();
   });
 

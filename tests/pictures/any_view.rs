@@ -1,0 +1,83 @@
+//! What is sea in a picture, seen from anywhere in any direction: the meshes against rays and the ellipsoid in f64.
+
+use glam::DVec2;
+use ocean_globe::cli::render::{LayerName, headless, instant, measure, parse_state};
+use ocean_globe::data::world::World;
+use ocean_globe::model::earth::{Ellipsoid, WGS84};
+use ocean_globe::model::noise;
+use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::view::camera::Camera;
+
+const SIZE: [u32; 2] = [64, 36];
+/// Views looked through: the first that the grid once filled with sea, then random ones.
+const VIEWS: i32 = 24;
+/// Every so many views the bisected mesh is looked at as well, which takes longer to come to rest.
+const BISECTED: i32 = 10;
+/// As far from the shore the coarsest map that a picture uses knows the sea, metres.
+const OFFSHORE_M: f64 = 300_000.0;
+/// Pixels that a mesh may be off at the horizon: a crest between its corners moves it by its own height, half a cell of 4 pixels.
+const PIXELS_OFF: f64 = 3.0;
+
+/// A view: any place, 2 m to 30,000 km high, any heading and tilt. One wind: a sea takes longer to make than its pictures.
+fn view(number: i32) -> String {
+    if number == 0 {
+        return "view=12.4,-44.3,30,180,160".into();
+    }
+    let row = |row| noise::bits(9, 9, number, row).map(|bits| bits as f64 / 2f64.powi(64));
+    let ([a, b], [c, d], [e, _]) = (row(0), row(1), row(2));
+    let (lat, lon) = ((2.0 * a - 1.0).asin().to_degrees(), 360.0 * b - 180.0);
+    format!("view={lat:.4},{lon:.4},{:.1},{:.1},{:.1}", 2.0 * 1.5e7f64.powf(c), 360.0 * d, 180.0 * e)
+}
+
+/// Whether a pixel's ray meets the ellipsoid moved outward by `lift` metres; `None` from inside it.
+fn meets(eye: &Camera, lift: f64, pixel: DVec2) -> Option<bool> {
+    let ellipsoid = Ellipsoid { a: WGS84.a + lift, b: WGS84.b + lift };
+    (eye.altitude_m > lift).then(|| eye.unproject_onto(&ellipsoid, pixel, DVec2::from(SIZE.map(f64::from))).is_some())
+}
+
+/// Pixels of a mesh's sea that stand in the sky, pixels of the ellipsoid far from any land that lack it, and all of its sea.
+fn wrong(renderer: &mut Renderer, world: &mut World, view: &str, mesh: &str) -> [usize; 3] {
+    let link = format!("#{view}&time=2026-11-20T14:00:00Z&foam=0&quality=low&layers=-land&mesh={mesh}");
+    let state = parse_state(&link).unwrap();
+    let classes = measure(renderer, &state, SIZE, LayerName::Class).unwrap().values;
+    let eye = renderer.eye(&state, instant(&state));
+    let frame = Frame::new(&state.settings, &eye, instant(&state), SIZE);
+    let off = PIXELS_OFF * f64::from(frame.uniform.pixel_angle) * WGS84.horizon_distance(eye.altitude_m);
+    let margin = 1.5 * f64::from(frame.uniform.crest_height) + off;
+    let mut counts = [0; 3];
+    for (index, class) in (0..).zip(&classes) {
+        let pixel = DVec2::new(f64::from(index % SIZE[0]) + 0.5, f64::from(index / SIZE[0]) + 0.5);
+        let is_sea = *class == 1.0;
+        counts[0] += usize::from(is_sea && meets(&eye, margin, pixel) == Some(false));
+        counts[2] += usize::from(is_sea);
+        if !is_sea && meets(&eye, -margin, pixel) == Some(true) {
+            let at = eye.unproject(pixel, DVec2::from(SIZE.map(f64::from))).expect("a hit above the lower ellipsoid");
+            let place = world.sample_blocking(at.lat, at.lon).unwrap();
+            counts[1] +=
+                usize::from(place.depth_m.is_some() && place.shore_distance_m.is_none_or(|d| d.abs() > OFFSHORE_M));
+        }
+    }
+    counts
+}
+
+#[test]
+fn sea_is_where_the_ellipsoid_is_and_not_in_the_sky() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    let mut world = World::open("www/data");
+    let (mut failures, mut sea) = (Vec::new(), 0);
+    for number in 0..VIEWS {
+        let meshes = ["grid", "bisect,8,20000"];
+        for mesh in &meshes[..if number % BISECTED == 0 { 2 } else { 1 }] {
+            let view = view(number);
+            let [sky, missing, pixels] = wrong(&mut renderer, &mut world, &view, mesh);
+            println!("{view} {mesh}: {pixels} pixels of sea, {sky} of them in the sky, {missing} missing");
+            sea += pixels;
+            if sky + missing > 0 {
+                failures.push(format!("{view} {mesh}: {sky} in the sky, {missing} missing"));
+            }
+        }
+    }
+    assert!(sea > 64 * 36 * 4, "{sea} pixels of sea in all");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
