@@ -155,7 +155,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
     } else if !sea_covers {
-        let air = scatter_to_surface(-to_eye, distance);
+        let air = haze(-to_eye, distance);
         radiance = radiance * air.transmittance + air.radiance;
     }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);

@@ -172,7 +172,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));
-    let air = scatter_to_surface(direction, distance);
+    let air = haze(direction, distance);
     var radiance = water * air.transmittance + air.radiance;
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.

@@ -25,12 +25,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         discard;
         return vec4f(0.0);
     }
-    let scattered = scatter_to_sky(direction);
     // The disc, 0.267 degrees in radius, darkened towards its limb.
     let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;
     let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));
     let above = step(surface_hit(eye_ray(direction)), 0.0);
-    let sun = min(disc * above * 6.0e4, 6.0e4) * scattered.transmittance * 0.005;
+    var sun = vec3f(0.0);
+    if disc * above > 0.0 { sun = min(disc * above * 6.0e4, 6.0e4) * beam_seen(direction) * 0.005; }
     let night = NIGHT * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT);
-    return vec4f((scattered.radiance + sun + night) * frame.exposure, 1.0);
+    return vec4f((sky_seen(direction) + sun + night) * frame.exposure, 1.0);
 }

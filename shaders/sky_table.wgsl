@@ -1,9 +1,10 @@
 // Tables of skylight at sea level, made once: radiance by view and sun, and the irradiance of level ground.
-#import atmosphere
-#import sky_coordinates
+#import scattering
 
-@group(1) @binding(0) var radiance: texture_storage_3d<rgba16float, write>;
-@group(1) @binding(1) var irradiance: texture_storage_2d<rgba16float, write>;
+@group(1) @binding(0) var transmittances: texture_2d<f32>;
+@group(1) @binding(1) var multiples: texture_2d<f32>;
+@group(2) @binding(0) var radiance: texture_storage_3d<rgba16float, write>;
+@group(2) @binding(1) var irradiance: texture_storage_2d<rgba16float, write>;
 
 // Radiance from zenith cosine mu, `azimuth` from the sun at zenith cosine mu_sun, for an observer at sea level. On a sphere, so that
 // the tables do not depend on where the eye was when they were made.

@@ -7,12 +7,14 @@ use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::gpu::texture;
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
+use crate::pass::air_table::AirTable;
 use crate::pass::backdrop::Backdrop;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
 use crate::pass::ocean::{Look, Ocean};
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
+use crate::pass::sky_view::SkyView;
 use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
@@ -49,7 +51,9 @@ pub struct Renderer {
     streaming: Streaming,
     tiles: WorldTiles,
     frame_group: FrameGroup,
+    air_table: AirTable,
     sky_table: SkyTable,
+    sky_view: SkyView,
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
@@ -89,8 +93,12 @@ impl Renderer {
         let (atlases, pages) = tiles.bindings();
         let frame_group = FrameGroup::new(&gpu, &atlases, pages);
         let frame = &frame_group.layout;
-        let sky_table = SkyTable::new(&gpu, frame);
-        let surface = Surface::new(&gpu, frame, &sky_table);
+        let air_table = AirTable::new(&gpu, frame);
+        let sky_table = SkyTable::new(&gpu, frame, &air_table.layout);
+        let sky_view = SkyView::new(&gpu, frame, &air_table.layout);
+        let light =
+            [&sky_table.radiance, &sky_table.irradiance, &sky_view.sky, &sky_view.haze, &air_table.transmittance];
+        let surface = Surface::new(&gpu, frame, light.map(Clone::clone));
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
         Self {
@@ -103,7 +111,9 @@ impl Renderer {
             streaming: Streaming::default(),
             tiles,
             frame_group,
+            air_table,
             sky_table,
+            sky_view,
             surface,
             mesh,
             targets: None,
@@ -181,12 +191,19 @@ impl Renderer {
         self.ocean.prepare(&self.gpu, mesh, Look::of(&frame.uniform));
         // Coarse tiles are far ones.
         self.land.set_tiles(&self.gpu, self.visible.iter().rev());
-        self.dispatches = self.sky_table.dispatches() + self.surface.dispatches() + self.mesh.dispatches();
+        self.sky_view.prepare(&frame.uniform);
+        self.dispatches = self.air_table.dispatches()
+            + self.sky_table.dispatches()
+            + self.sky_view.dispatches()
+            + self.surface.dispatches()
+            + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
-            self.sky_table.dispatch(&mut pass, frame_group);
+            self.air_table.dispatch(&mut pass, frame_group);
+            self.sky_table.dispatch(&mut pass, frame_group, &self.air_table.group);
+            self.sky_view.dispatch(&mut pass, frame_group, &self.air_table.group);
             self.surface.dispatch(&mut pass, frame_group);
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }

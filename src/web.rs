@@ -27,7 +27,8 @@ use crate::scene::view::state::ViewState;
 /// Starts the globe on a canvas, with the world's tiles below `data_base`.
 ///
 /// The canvas tells how it goes: `data-state` is `loading`, `settled` or `failed`; `data-error`, `data-fragment`,
-/// `data-frame-ms` and `data-widgets` (rectangles of the panel's widgets, CSS pixels) say more. `?panel=off` in the page's
+/// `data-frame-ms`, `data-pictures` (how many are finished), `data-scale` (pixels of the last one along a pixel of the canvas) and
+/// `data-widgets` (rectangles of the panel's widgets, CSS pixels) say more. `?panel=off` in the page's
 /// address hides the panel.
 ///
 /// # Errors

@@ -70,14 +70,14 @@ async function fetchProgram(url) {
   return new Response(response.body.pipeThrough(count), { headers: response.headers });
 }
 
-/** Takes the poster away once the program has drawn its first frame. */
-function showFirstFrame() {
+/** Takes the poster away once the first picture is drawn. */
+function showFirstPicture() {
   const observer = new MutationObserver(() => {
-    if (canvas.dataset.frameMs === undefined && canvas.dataset.state !== "settled") return;
+    if (!(canvas.dataset.pictures > 0)) return;
     observer.disconnect();
     if (document.documentElement.dataset.state === "loading") document.documentElement.dataset.state = "running";
   });
-  observer.observe(canvas, { attributes: true, attributeFilter: ["data-frame-ms", "data-state"] });
+  observer.observe(canvas, { attributes: true, attributeFilter: ["data-pictures"] });
 }
 
 function fail(error) {
@@ -96,7 +96,7 @@ async function start() {
   if (missing) return showNotice("unsupported", missing);
   // A panic of the program ends it for good; it reaches the page as an error of WebAssembly.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && fail(error));
-  showFirstFrame();
+  showFirstPicture();
   const program = byId("program");
   const [bindings, wasm] = await Promise.all([import(program.href), fetchProgram(program.dataset.wasm)]);
   await bindings.default({ module_or_path: wasm });

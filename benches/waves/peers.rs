@@ -55,7 +55,7 @@ fn numbers(bytes: &[u8]) -> Vec<f64> {
 /// One dispatch per butterfly stage, axis and field, from texture to texture.
 pub struct Stages {
     n: usize,
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ocean_globe::gpu::pipeline::Compute,
     groups: Vec<wgpu::BindGroup>,
     results: Vec<wgpu::Texture>,
 }
@@ -126,8 +126,8 @@ impl Peer for Stages {
 /// Rows in workgroup memory by radix 2, a transpose, rows, a transpose.
 pub struct Transposed {
     n: usize,
-    rows: wgpu::ComputePipeline,
-    transpose: wgpu::ComputePipeline,
+    rows: ocean_globe::gpu::pipeline::Compute,
+    transpose: ocean_globe::gpu::pipeline::Compute,
     groups: [wgpu::BindGroup; 3],
     result: wgpu::Buffer,
 }

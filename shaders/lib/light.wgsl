@@ -1,9 +1,10 @@
 // Light at sea level from the tables of sky_table.wgsl: radiance of the sky and irradiance of the ground.
-#import atmosphere
+#import air
 #import sky_coordinates
 
 @group(1) @binding(5) var sky_radiance: texture_3d<f32>;    // view zenith cosine, azimuth from the sun, sun zenith cosine
 @group(1) @binding(6) var sky_irradiance: texture_2d<f32>;  // x: sun zenith cosine
+@group(1) @binding(9) var transmittances: texture_2d<f32>;  // towards the top of the air
 
 // Sky radiance at sea level towards `direction`, where `up` is the local vertical.
 fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {

@@ -1,4 +1,5 @@
 // Coordinates of the skylight tables: denser towards the horizon and towards low suns.
+#import atmosphere
 
 const SUN_COSINE_FROM = -0.3;      // below it the table's sky is night
 // Brighter than any moon, so that the dark side can be made out: radiance of the night sky, irradiance of the ground.
@@ -16,3 +17,7 @@ fn view_coordinate(mu: f32) -> f32 { return sqrt(clamp(mu, 0.0, 1.0)); }
 
 fn view_from_coordinate(x: f32) -> f32 { return x * x; }
 
+// Of the table of light that has been scattered before: the sun's zenith cosine at height h, and the height. And back.
+fn multiple_coordinates(h: Metres, mu_sun: f32) -> vec2f { return vec2f(sun_coordinate(mu_sun), clamp(h / TOP, 0.0, 1.0)); }
+
+fn multiple_view(x: vec2f) -> vec2f { return vec2f(x.y * TOP, sun_from_coordinate(x.x)); }

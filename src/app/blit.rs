@@ -1,7 +1,7 @@
-//! The finished picture and its way onto egui's target: an exact copy, texel for pixel.
+//! The finished picture and its way onto egui's target.
 //!
-//! The renderer draws into a texture of its own, gamma-encoded, as large as the window in physical pixels. So egui alone
-//! can repaint (a tooltip, a slider) without drawing the sea again.
+//! The renderer draws into a texture of its own, gamma-encoded. So egui alone can repaint (a tooltip, a slider) without drawing the sea
+//! again. As large as the window in physical pixels it is copied texel for pixel, smaller it is stretched.
 
 use std::sync::Arc;
 
@@ -11,6 +11,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, wgpu};
 pub struct Picture {
     pipeline: Arc<wgpu::RenderPipeline>,
     layout: wgpu::BindGroupLayout,
+    sampler: wgpu::Sampler,
     texture: wgpu::Texture,
     /// What the renderer draws into.
     pub view: wgpu::TextureView,
@@ -29,16 +30,30 @@ impl Picture {
         });
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("blit"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::FRAGMENT,
-                ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
+            entries: &[
+                wgpu::BindGroupLayoutEntry {
+                    binding: 0,
+                    visibility: wgpu::ShaderStages::FRAGMENT,
+                    ty: wgpu::BindingType::Texture {
+                        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                        view_dimension: wgpu::TextureViewDimension::D2,
+                        multisampled: false,
+                    },
+                    count: None,
                 },
-                count: None,
-            }],
+                wgpu::BindGroupLayoutEntry {
+                    binding: 1,
+                    visibility: wgpu::ShaderStages::FRAGMENT,
+                    ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+                    count: None,
+                },
+            ],
+        });
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("blit"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
         });
         // egui prefers a target that takes gamma-encoded values as they are; an sRGB one encodes what it is given.
         let entry = if target_format.is_srgb() { "copy_decoded" } else { "copy" };
@@ -67,8 +82,8 @@ impl Picture {
             multiview_mask: None,
             cache: None,
         });
-        let (texture, view, group) = make(device, &layout, [1, 1]);
-        Self { pipeline: Arc::new(pipeline), layout, texture, view, group }
+        let (texture, view, group) = make(device, &layout, &sampler, [1, 1]);
+        Self { pipeline: Arc::new(pipeline), layout, sampler, texture, view, group }
     }
 
     /// Width and height in physical pixels.
@@ -76,12 +91,10 @@ impl Picture {
         [self.texture.width(), self.texture.height()]
     }
 
-    /// Makes the picture another size, within what the device can do; its contents are lost.
+    /// Makes the picture another size; its contents are lost.
     pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
-        let largest = device.limits().max_texture_dimension_2d;
-        let size = size.map(|side| side.clamp(1, largest));
         if size != self.size() {
-            (self.texture, self.view, self.group) = make(device, &self.layout, size);
+            (self.texture, self.view, self.group) = make(device, &self.layout, &self.sampler, size);
         }
     }
 
@@ -94,6 +107,7 @@ impl Picture {
 fn make(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
+    sampler: &wgpu::Sampler,
     [width, height]: [u32; 2],
 ) -> (wgpu::Texture, wgpu::TextureView, Arc<wgpu::BindGroup>) {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
@@ -110,7 +124,10 @@ fn make(
     let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("blit"),
         layout,
-        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) }],
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(sampler) },
+        ],
     });
     (texture, view, Arc::new(group))
 }

@@ -16,12 +16,15 @@ pub use directory::{Entry, decode_directory, encode_directory, id_from_zxy, zxy_
 use crate::error::{Error, Result};
 use std::collections::VecDeque;
 use std::io::Read as _;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Length of the header, bytes.
 pub const HEADER_BYTES: usize = 127;
 /// The header and the root directory lie within this many bytes from the start.
 pub const ROOT_LIMIT: usize = 16_384;
+/// Bytes that are read first: header, root directory and metadata of each bundled archive lie within them (5,612 of the largest).
+pub const HEAD_BYTES: u64 = 6_144;
 /// Root and leaves that a look-up passes at most.
 pub const MAX_DEPTH: usize = 4;
 /// The largest directory or metadata accepted as stored, bytes.
@@ -149,8 +152,13 @@ impl<S: ByteSource> Archive<S> {
     /// What the source reports, and [`Error::BadData`] where the bytes are no PMTiles v3 archive.
     pub async fn open(source: S) -> Result<Self> {
         let what = source.name().to_owned();
-        let start = source.read(0, ROOT_LIMIT as u64).await?;
+        let mut start = source.read(0, HEAD_BYTES).await?;
         let header = Header::parse(&what, &start)?;
+        // The rest of the usual order, root directory and then metadata, in one request.
+        let end = [header.root, header.metadata].map(|(at, length)| at + length).into_iter().max().unwrap_or(0);
+        if start.len() as u64 == HEAD_BYTES && (HEAD_BYTES..=2 * ROOT_LIMIT as u64).contains(&end) {
+            start.extend(read_exactly(&source, HEAD_BYTES, end - HEAD_BYTES).await?);
+        }
         let packing = header.internal_compression;
         let section = async |(offset, length): (u64, u64), name: &str| {
             if length > MAX_STORED {
@@ -179,6 +187,27 @@ impl<S: ByteSource> Archive<S> {
     /// The JSON metadata.
     pub fn metadata(&self) -> &serde_json::Map<String, serde_json::Value> {
         &self.metadata
+    }
+
+    /// Where a tile lies in the archive, bytes; `None` where only a leaf directory can tell, or a broken archive says nothing of use.
+    pub fn place(&self, z: u8, x: u32, y: u32) -> Option<Range<u64>> {
+        let entry = directory::find(&self.root, id_from_zxy(z, x, y)?).filter(|entry| entry.run_length > 0)?;
+        let length = u64::from(entry.length);
+        let offset = within(self.source.name(), self.header.data, entry).ok()?;
+        (length <= MAX_TILE).then_some(offset..offset + length)
+    }
+
+    /// The bytes of some tiles from one read of all of `span`, inflated where the archive packs them. `places` lie within it.
+    ///
+    /// # Errors
+    /// As [`Archive::tile`].
+    pub async fn tiles(&self, span: Range<u64>, places: &[Range<u64>]) -> Result<Vec<Vec<u8>>> {
+        let bytes = read_exactly(&self.source, span.start, span.end - span.start).await?;
+        let part = |place: &Range<u64>| {
+            let [from, to] = [place.start, place.end].map(|at| (at - span.start) as usize);
+            unpack(self.source.name(), self.header.tile_compression, bytes[from..to].to_vec(), MAX_TILE)
+        };
+        places.iter().map(part).collect()
     }
 
     /// The bytes of a tile, inflated where the archive packs them; `None` where the archive has no such tile.

@@ -6,6 +6,7 @@
 
 mod cache;
 mod slot;
+mod span;
 
 use super::fetch::{Source, Spawner, join, now_s};
 use super::pmtiles::Archive;
@@ -15,13 +16,14 @@ use super::{SharedTexels, TileTexels, terrarium, water};
 use crate::error::{Error, Result};
 use cache::Cache;
 use slot::{Opening, Slot};
+use span::Wish;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 use std::sync::{Arc, mpsc};
 
 /// How often a tile or an archive is tried.
 pub const ATTEMPTS: u32 = 3;
-/// Tiles that may be on their way at once.
+/// Requests that may be on their way at once.
 pub const IN_FLIGHT: usize = 16;
 /// Decoded tiles kept for readouts; 256 KiB each.
 pub const TILES_KEPT: usize = 512;
@@ -60,6 +62,8 @@ type Key = (Layer, TileId);
 enum Event {
     Opened(usize, Result<Archive<Source>>),
     Tile(Key, Result<Option<TileTexels>>),
+    /// A request for tiles is over.
+    Over,
 }
 
 /// The six archives of a world: terrain and water, each for Mercator and the two poles.
@@ -128,8 +132,8 @@ impl World {
         self.waker = Some(waker);
     }
 
-    /// Asks for a tile. Asking again for what is on its way changes nothing; the answer comes from [`World::poll`],
-    /// at its next call for a tile that is still in the cache.
+    /// Asks for a tile, at the next [`World::send`] or [`World::poll`]. Asking again for what is on its way changes nothing; the answer
+    /// comes from [`World::poll`], at its next call for a tile that is still in the cache.
     pub fn request(&mut self, layer: Layer, id: TileId) {
         let key = (layer, id);
         if self.pending.contains_key(&key) {
@@ -146,8 +150,12 @@ impl World {
             self.answer(key, Outcome::Failed(Error::Fetch { url, why }));
         } else {
             self.make_ready(key);
-            self.start();
         }
+    }
+
+    /// Sends what has been asked for: neighbours together.
+    pub fn send(&mut self) {
+        self.start();
     }
 
     /// Takes in what has arrived, starts what may start, and returns the answers since the last call.
@@ -156,6 +164,7 @@ impl World {
             match event {
                 Event::Opened(slot, result) => self.slots[slot].opened(result),
                 Event::Tile(key, result) => self.arrived(key, result),
+                Event::Over => self.in_flight -= 1,
             }
         }
         let now = now_s();
@@ -299,20 +308,18 @@ impl World {
 
     /// Starts ready requests while there is room; those whose archive is not open yet stay ready.
     fn start(&mut self) {
-        let mut later = Vec::new();
-        while self.in_flight < IN_FLIGHT
-            && let Some(Reverse((z, order, key))) = self.ready.pop()
-        {
-            let slot = self.slot(key.0, key.1.projection);
+        if self.in_flight >= IN_FLIGHT {
+            return;
+        }
+        let (mut later, mut wishes) = (Vec::new(), Vec::new());
+        while let Some(Reverse((z, order, key))) = self.ready.pop() {
+            let index = slot_index(key.0, key.1.projection);
+            let slot = &self.slots[index];
             match &slot.opening {
                 Opening::Open(archive) if key.1.z > archive.header().max_zoom => self.answer(key, Outcome::Absent),
                 Opening::Open(archive) => {
-                    let (archive, sender, waker) = (archive.clone(), self.sender.clone(), self.waker.clone());
-                    self.in_flight += 1;
-                    self.spawner.spawn(async move {
-                        let _ = sender.send(Event::Tile(key, load(&archive, key).await));
-                        waker.inspect(|wake| wake());
-                    });
+                    let place = archive.place(key.1.z, key.1.x, key.1.y);
+                    wishes.push(Wish { slot: index, key, rank: (z, order), place });
                 }
                 Opening::Failed(why) => {
                     let error = Error::Fetch { url: slot.name.clone(), why: why.clone() };
@@ -321,11 +328,26 @@ impl World {
                 _ => later.push(Reverse((z, order, key))),
             }
         }
+        for span in span::spans(wishes) {
+            let archive = self.slots[span.wishes[0].slot].archive().filter(|_| self.in_flight < IN_FLIGHT).cloned();
+            let Some(archive) = archive else {
+                later.extend(span.wishes.iter().map(|wish| Reverse((wish.rank.0, wish.rank.1, wish.key))));
+                continue;
+            };
+            let (sender, waker) = (self.sender.clone(), self.waker.clone());
+            self.in_flight += 1;
+            self.spawner.spawn(async move {
+                // A world that is gone takes no answers.
+                let tell = |key, result| drop(sender.send(Event::Tile(key, result)));
+                span::fetch(&archive, span, tell).await;
+                let _ = sender.send(Event::Over);
+                waker.inspect(|wake| wake());
+            });
+        }
         self.ready.extend(later);
     }
 
     fn arrived(&mut self, key: Key, result: Result<Option<TileTexels>>) {
-        self.in_flight -= 1;
         match result {
             Ok(Some(texels)) => {
                 let texels = Arc::new(texels);
@@ -355,16 +377,20 @@ fn wait_s(tried: u32) -> f64 {
     FIRST_WAIT_S * 4f64.powi(tried.saturating_sub(1).min(4) as i32)
 }
 
-async fn load(archive: &Archive<Source>, (layer, id): Key) -> Result<Option<TileTexels>> {
-    let Some(bytes) = archive.tile(id.z, id.x, id.y).await? else { return Ok(None) };
+async fn load(archive: &Archive<Source>, key: Key) -> Result<Option<TileTexels>> {
+    let Some(bytes) = archive.tile(key.1.z, key.1.x, key.1.y).await? else { return Ok(None) };
+    decoded(archive, key, &bytes).map(Some)
+}
+
+fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<TileTexels> {
     let what = format!("{} tile {id}", layer.name());
     let texels = match layer {
         Layer::Terrain => {
             let mapbox = archive.metadata().get("encoding").is_some_and(|e| e == "mapbox");
             let encoding = if mapbox { terrarium::Encoding::Mapbox } else { terrarium::Encoding::Terrarium };
-            TileTexels::Terrain(terrarium::decode(&what, &bytes, encoding)?)
+            TileTexels::Terrain(terrarium::decode(&what, bytes, encoding)?)
         }
-        Layer::Water => TileTexels::Water(water::decode(&what, &bytes)?),
+        Layer::Water => TileTexels::Water(water::decode(&what, bytes)?),
     };
-    Ok(Some(texels))
+    Ok(texels)
 }

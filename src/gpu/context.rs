@@ -1,5 +1,8 @@
 //! The device: one per program, from a window's host or without any window.
 
+use std::sync::Arc;
+
+use super::pipeline::Made;
 use crate::error::{Error, Result};
 
 /// A device with its queue, and what it calls itself.
@@ -11,6 +14,10 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// Name and kind of the adapter, for messages and records.
     pub adapter: String,
+    /// Whether the processor stands in for a graphics card.
+    pub software: bool,
+    /// Every pipeline of the device, once.
+    pub(super) made: Arc<Made>,
 }
 
 /// What is asked of any device: the WebGPU defaults, and of what is beyond them only what the adapter has: filtering of 32-bit
@@ -34,7 +41,9 @@ fn described(info: &wgpu::AdapterInfo) -> String {
 impl Gpu {
     /// A device of the host's (window or page).
     pub fn new(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, adapter: described(&adapter.get_info()) }
+        let info = adapter.get_info();
+        let software = info.device_type == wgpu::DeviceType::Cpu;
+        Self { device, queue, adapter: described(&info), software, made: Arc::default() }
     }
 
     /// A device without a window: the best adapter there is, a software one included.

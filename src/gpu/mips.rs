@@ -1,6 +1,6 @@
 //! Mip levels of a texture that a compute pass has filled: up to four levels in a dispatch.
 
-use super::pipeline::Bind;
+use super::pipeline::{Bind, Compute};
 use super::texture::{self, Shape};
 use super::{Gpu, shader};
 
@@ -11,7 +11,7 @@ const REACH: u32 = 16;
 
 /// The dispatches that make every mip level of some square texture arrays of one size from their first.
 pub struct MipChain {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: Compute,
     /// Those of all textures come before the next levels, so that the device waits for finished levels once per four levels and
     /// not once per texture.
     steps: Vec<Step>,

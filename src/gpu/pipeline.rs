@@ -1,6 +1,39 @@
 //! Pipelines declared in a line: a shader, its entry points and its bind kinds. All boilerplate lives here.
+//!
+//! A pipeline is made when it is first used, and the same one is never made twice on a device: a compiler takes up to seconds for one,
+//! and a picture from orbit uses half of them.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher as _};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use super::Gpu;
+
+/// Something that is made when it is first used.
+type Lazy<T> = LazyLock<T, Box<dyn FnOnce() -> T + Send>>;
+/// A compute pipeline that is made when it is first used.
+pub type Compute = Arc<Lazy<wgpu::ComputePipeline>>;
+/// A drawing pipeline that is made when it is first used.
+pub type Drawing = Arc<Lazy<wgpu::RenderPipeline>>;
+
+/// The pipelines of a device, by a hash of their declarations.
+#[derive(Debug, Default)]
+pub struct Made {
+    compute: Mutex<HashMap<u64, Compute>>,
+    drawing: Mutex<HashMap<u64, Drawing>>,
+}
+
+/// The pipeline of a declaration: the one that is there, or a new one from `make`.
+fn once<T>(
+    kept: &Mutex<HashMap<u64, Arc<Lazy<T>>>>,
+    declaration: impl Hash,
+    make: impl FnOnce() -> T + Send + 'static,
+) -> Arc<Lazy<T>> {
+    let mut hasher = DefaultHasher::new();
+    declaration.hash(&mut hasher);
+    let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+    kept.entry(hasher.finish()).or_insert_with(|| Arc::new(Lazy::new(Box::new(make)))).clone()
+}
 
 /// What a binding holds.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +57,7 @@ pub enum Bind {
 }
 
 /// Which fragments a drawing pipeline lets through. Depth is reversed: greater is nearer, 0 is where nothing has been drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DepthTest {
     /// Those nearer than what is there; their depth is written.
     Nearest,
@@ -83,11 +116,14 @@ impl Gpu {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
     }
 
-    fn module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
-        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        })
+    fn module(&self, label: &str, source: &str) -> Arc<Lazy<wgpu::ShaderModule>> {
+        let (device, label, source) = (self.device.clone(), label.to_owned(), source.to_owned());
+        Arc::new(Lazy::new(Box::new(move || {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(&label),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            })
+        })))
     }
 
     fn pipeline_layout(&self, label: &str, groups: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
@@ -99,28 +135,32 @@ impl Gpu {
         })
     }
 
-    /// Compute pipelines for the `entries` of one composed source.
+    /// Compute pipelines for the `entries` of one composed source; a source always goes with the same kinds of `groups`.
     pub fn compute<const N: usize>(
         &self,
         label: &str,
         source: &str,
         groups: &[&wgpu::BindGroupLayout],
         entries: [&str; N],
-    ) -> [wgpu::ComputePipeline; N] {
+    ) -> [Compute; N] {
         let module = self.module(label, source);
         let layout = self.pipeline_layout(label, groups);
         entries.map(|entry| {
-            self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some(entry),
-                layout: Some(&layout),
-                module: &module,
-                entry_point: Some(entry),
-                // No shader reads workgroup memory that it has not written; browsers clear it all the same.
-                compilation_options: wgpu::PipelineCompilationOptions {
-                    zero_initialize_workgroup_memory: false,
-                    ..Default::default()
-                },
-                cache: None,
+            let (device, module, layout) = (self.device.clone(), module.clone(), layout.clone());
+            let name = entry.to_owned();
+            once(&self.made.compute, (label, source, entry), move || {
+                device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                    label: Some(&name),
+                    layout: Some(&layout),
+                    module: &module,
+                    entry_point: Some(&name),
+                    // No shader reads workgroup memory that it has not written; browsers clear it all the same.
+                    compilation_options: wgpu::PipelineCompilationOptions {
+                        zero_initialize_workgroup_memory: false,
+                        ..Default::default()
+                    },
+                    cache: None,
+                })
             })
         })
     }
@@ -135,39 +175,49 @@ impl Gpu {
         buffers: &[wgpu::VertexBufferLayout],
         target: wgpu::TextureFormat,
         depth: Option<(wgpu::TextureFormat, DepthTest)>,
-    ) -> wgpu::RenderPipeline {
+    ) -> Drawing {
         let module = self.module(label, source);
         let layout = self.pipeline_layout(label, groups);
-        let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
-        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(label),
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some(vertex),
-                compilation_options: Default::default(),
-                buffers: &buffers,
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: depth.map(|(format, test)| wgpu::DepthStencilState {
-                format,
-                depth_write_enabled: Some(test == DepthTest::Nearest),
-                depth_compare: Some(match test {
-                    DepthTest::Nearest => wgpu::CompareFunction::Greater,
-                    DepthTest::Undrawn => wgpu::CompareFunction::GreaterEqual,
+        // Lent attributes become owned ones, since they are needed later.
+        let buffers: Vec<_> = buffers.iter().map(|b| (b.array_stride, b.step_mode, b.attributes.to_vec())).collect();
+        let (device, name, entry) = (self.device.clone(), label.to_owned(), vertex.to_owned());
+        once(&self.made.drawing, (label, source, vertex, target, depth), move || {
+            let buffers: Vec<_> = buffers
+                .iter()
+                .map(|(array_stride, step_mode, attributes)| {
+                    Some(wgpu::VertexBufferLayout { array_stride: *array_stride, step_mode: *step_mode, attributes })
+                })
+                .collect();
+            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some(&name),
+                layout: Some(&layout),
+                vertex: wgpu::VertexState {
+                    module: &module,
+                    entry_point: Some(&entry),
+                    compilation_options: Default::default(),
+                    buffers: &buffers,
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: depth.map(|(format, test)| wgpu::DepthStencilState {
+                    format,
+                    depth_write_enabled: Some(test == DepthTest::Nearest),
+                    depth_compare: Some(match test {
+                        DepthTest::Nearest => wgpu::CompareFunction::Greater,
+                        DepthTest::Undrawn => wgpu::CompareFunction::GreaterEqual,
+                    }),
+                    stencil: Default::default(),
+                    bias: Default::default(),
                 }),
-                stencil: Default::default(),
-                bias: Default::default(),
-            }),
-            multisample: Default::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment"),
-                compilation_options: Default::default(),
-                targets: &[Some(target.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
+                multisample: Default::default(),
+                fragment: Some(wgpu::FragmentState {
+                    module: &module,
+                    entry_point: Some("fragment"),
+                    compilation_options: Default::default(),
+                    targets: &[Some(target.into())],
+                }),
+                multiview_mask: None,
+                cache: None,
+            })
         })
     }
 

@@ -8,6 +8,8 @@ use crate::scene::frame::uniform::{self, FoamLevel, FrameUniform, WaveAnchor, Wa
 
 /// Every shader library by name; `frame_memory` is declared in Rust.
 pub const LIBRARY: &[(&str, &str)] = &[
+    ("air", include_str!("../../shaders/lib/air.wgsl")),
+    ("air_coordinates", include_str!("../../shaders/lib/air_coordinates.wgsl")),
     ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
     ("bisected_mesh", include_str!("../../shaders/lib/bisected_mesh.wgsl")),
     ("bisection_tree", include_str!("../../shaders/lib/bisection_tree.wgsl")),
@@ -28,8 +30,10 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("noise", include_str!("../../shaders/lib/noise.wgsl")),
     ("output", include_str!("../../shaders/lib/output.wgsl")),
     ("projected_grid", include_str!("../../shaders/lib/projected_grid.wgsl")),
+    ("scattering", include_str!("../../shaders/lib/scattering.wgsl")),
     ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
     ("stockham", include_str!("../../shaders/lib/stockham.wgsl")),
+    ("sunlight", include_str!("../../shaders/lib/sunlight.wgsl")),
     ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),
     ("water", include_str!("../../shaders/lib/water.wgsl")),
     ("waves", include_str!("../../shaders/lib/waves.wgsl")),

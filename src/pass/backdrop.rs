@@ -1,6 +1,6 @@
 //! Sky and land where no sea has been drawn over them: only these pixels of the scene are copied.
 
-use crate::gpu::pipeline::{Bind, DepthTest};
+use crate::gpu::pipeline::{Bind, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -11,7 +11,7 @@ pub fn source() -> String {
 /// The pass.
 pub struct Backdrop {
     layout: wgpu::BindGroupLayout,
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Drawing,
     group: Option<wgpu::BindGroup>,
 }
 

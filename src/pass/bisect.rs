@@ -20,7 +20,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::{Gpu, shader};
 use crate::model::cuboid;
 use crate::scene::frame::bisection::Bisection;
@@ -80,7 +80,7 @@ pub struct Bisector {
 
 /// The pass and its pool.
 pub struct Bisect {
-    pipelines: [wgpu::ComputePipeline; 6],
+    pipelines: [Compute; 6],
     group: wgpu::BindGroup,
     /// For drawing: block, corners, list, accounts.
     drawn_group: wgpu::BindGroup,

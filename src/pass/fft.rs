@@ -16,7 +16,7 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 
 use crate::gpu::mips::MipChain;
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::model::wave_data::words;
@@ -103,8 +103,8 @@ struct Batch {
 /// The pass and the textures that it fills.
 pub struct Fft {
     n: usize,
-    rows: wgpu::ComputePipeline,
-    columns: wgpu::ComputePipeline,
+    rows: Compute,
+    columns: Compute,
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
     /// Those in the buffer: seas on the same tiles share them.

@@ -1,7 +1,7 @@
 //! Foam in time: one dispatch advances the four squares of the foam map. What it means: `model/foam.rs`,
 //! where it lies: `scene/foam.rs`, when it moves on: `scene/foam_history.rs`.
 
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::scene::sea::foam::TEXELS;
@@ -21,7 +21,7 @@ pub fn source() -> String {
 
 /// The pass and its two maps, of which one is read while the other is written.
 pub struct Foam {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: Compute,
     step: wgpu::Buffer,
     /// `groups[i]` writes the other map than `maps[i]`.
     groups: [wgpu::BindGroup; 2],

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
@@ -27,7 +27,7 @@ pub fn source() -> String {
 
 /// The pass.
 pub struct Land {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Drawing,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,

@@ -1,5 +1,6 @@
 //! Floor 4: one file per pass; a pass owns its pipelines, textures and bind groups, and knows no other pass.
 
+pub mod air_table;
 pub mod backdrop;
 pub mod bisect;
 pub mod fft;
@@ -10,5 +11,6 @@ pub mod ocean;
 pub mod perlin;
 pub mod sky;
 pub mod sky_table;
+pub mod sky_view;
 pub mod tonemap;
 pub mod world_tiles;

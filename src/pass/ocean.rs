@@ -1,7 +1,7 @@
 //! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left.
 
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::{Bind, DepthTest};
+use crate::gpu::pipeline::{Bind, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
@@ -46,7 +46,7 @@ pub struct Ocean {
     layouts: [wgpu::BindGroupLayout; 4],
     formats: [wgpu::TextureFormat; 2],
     /// By mesh and look.
-    pipelines: [[Option<wgpu::RenderPipeline>; 4]; 2],
+    pipelines: [[Option<Drawing>; 4]; 2],
     scene: Option<wgpu::BindGroup>,
     cells: [u32; 2],
     vertices: wgpu::Buffer,

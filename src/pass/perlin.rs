@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use crate::gpu::mips::MipChain;
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::model::dispersion;
@@ -56,7 +56,7 @@ pub fn source() -> String {
 
 /// The pass and the texture that it fills.
 pub struct Perlin {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: Compute,
     settings: wgpu::Buffer,
     group: wgpu::BindGroup,
     mips: MipChain,

@@ -1,6 +1,6 @@
 //! The sky behind everything, drawn where nothing else has been.
 
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -10,7 +10,7 @@ pub fn source() -> String {
 
 /// The pass.
 pub struct Sky {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Drawing,
 }
 
 impl Sky {

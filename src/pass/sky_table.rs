@@ -1,6 +1,6 @@
 //! Skylight at sea level, tabulated once: radiance by view and sun, irradiance by sun.
 
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 
@@ -17,7 +17,7 @@ pub fn source() -> String {
 
 /// The pass and its tables.
 pub struct SkyTable {
-    pipelines: [wgpu::ComputePipeline; 2],
+    pipelines: [Compute; 2],
     group: wgpu::BindGroup,
     done: bool,
     /// View zenith cosine × azimuth from the sun × sun zenith cosine.
@@ -27,12 +27,12 @@ pub struct SkyTable {
 }
 
 impl SkyTable {
-    /// Empty tables; `frame` is the layout of bind group 0.
-    pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout) -> Self {
+    /// Empty tables; `frame` is the layout of bind group 0, `air` that of the tables that these are made of.
+    pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, air: &wgpu::BindGroupLayout) -> Self {
         use wgpu::TextureViewDimension::{D2, D3};
         let binds = [Bind::Write(FORMAT, D3), Bind::Write(FORMAT, D2)];
         let layout = gpu.layout("sky table", wgpu::ShaderStages::COMPUTE, &binds);
-        let pipelines = gpu.compute("sky table", &source(), &[frame, &layout], ["radiances", "irradiances"]);
+        let pipelines = gpu.compute("sky table", &source(), &[frame, air, &layout], ["radiances", "irradiances"]);
         let usage = wgpu::TextureUsages::STORAGE_BINDING;
         let volume = Shape { depth: SUNS, dimension: wgpu::TextureDimension::D3, ..Shape::picture(VIEWS, AZIMUTHS) };
         let radiance = texture::view(&gpu.texture("sky radiance", volume, FORMAT, usage));
@@ -48,12 +48,13 @@ impl SkyTable {
     }
 
     /// Fills the tables the first time; nothing afterwards.
-    pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup) {
+    pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, air: &wgpu::BindGroup) {
         if std::mem::replace(&mut self.done, true) {
             return;
         }
         pass.set_bind_group(0, frame, &[]);
-        pass.set_bind_group(1, &self.group, &[]);
+        pass.set_bind_group(1, air, &[]);
+        pass.set_bind_group(2, &self.group, &[]);
         pass.set_pipeline(&self.pipelines[0]);
         pass.dispatch_workgroups(VIEWS / 4, AZIMUTHS / 4, SUNS / 4);
         pass.set_pipeline(&self.pipelines[1]);

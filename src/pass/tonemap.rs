@@ -1,6 +1,6 @@
 //! Scene radiance to display colours: the last pass, into whatever target the caller has.
 
-use crate::gpu::pipeline::Bind;
+use crate::gpu::pipeline::{Bind, Drawing};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -11,7 +11,7 @@ pub fn source() -> String {
 /// The pass.
 pub struct Tonemap {
     layout: wgpu::BindGroupLayout,
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Drawing,
     group: Option<wgpu::BindGroup>,
 }
 

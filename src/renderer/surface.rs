@@ -11,11 +11,13 @@ use crate::model::waves::CASCADES;
 use crate::pass::fft::{Fft, Precision};
 use crate::pass::foam::{self, Foam};
 use crate::pass::perlin::Perlin;
-use crate::pass::sky_table::SkyTable;
 use crate::scene::frame::Frame;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::Whitecaps;
 use crate::scene::sea::foam_history::History;
+
+/// Views of the tables of light, in the order of the bindings.
+pub(super) type Light = [wgpu::TextureView; 5];
 
 /// Samples along a side of the tiles until the first sea says otherwise.
 const SAMPLES: usize = 256;
@@ -26,8 +28,8 @@ pub(super) struct Surface {
     perlin: Perlin,
     foam: Foam,
     history: History,
-    /// Skylight: radiance and irradiance.
-    sky: [wgpu::TextureView; 2],
+    /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance.
+    light: Light,
     /// Layout of bind group 1.
     pub(super) layout: wgpu::BindGroupLayout,
     /// One for each foam map.
@@ -39,30 +41,31 @@ pub(super) struct Surface {
     replaying: bool,
     /// Dispatches of the last [`Surface::replay`].
     replayed: usize,
-    /// Whether the frame shows the far sea's noise.
-    noise: bool,
+    /// Whether the frame makes the waves and the far sea's noise: they are seen, and not there yet.
+    due: [bool; 2],
+    /// Instants of the waves and the noise that the textures hold, ticks.
+    made: [Option<u64>; 2],
 }
 
 impl Surface {
     /// A surface without a sea; `frame` is the layout of bind group 0.
-    pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, sky: &SkyTable) -> Self {
+    pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, light: Light) -> Self {
         use wgpu::TextureViewDimension::{D2, D2Array, D3};
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2].map(Bind::Texture);
+        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2].map(Bind::Texture);
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
         let layout = gpu.layout("surface", stages, &binds);
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
         let foam = Foam::new(gpu, frame, &layout);
-        let sky = [sky.radiance.clone(), sky.irradiance.clone()];
-        let groups = groups(gpu, &layout, &fft, &perlin, &foam, &sky);
+        let groups = groups(gpu, &layout, &fft, &perlin, &foam, &light);
         Self {
             fft,
             perlin,
             foam,
             history: History::default(),
-            sky,
+            light,
             layout,
             groups,
             sea: None,
@@ -70,7 +73,8 @@ impl Surface {
             foam_step: false,
             replaying: false,
             replayed: 0,
-            noise: true,
+            due: [true; 2],
+            made: [None; 2],
         }
     }
 
@@ -79,8 +83,9 @@ impl Surface {
         &self.groups[self.foam.current()]
     }
 
-    /// Forgets the foam's history.
+    /// Forgets the waves and the foam's history.
     pub(super) fn forget(&mut self) {
+        self.made = [None; 2];
         self.history.reset();
     }
 
@@ -102,9 +107,10 @@ impl Surface {
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
             self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
-            self.groups = groups(gpu, &self.layout, &self.fft, &self.perlin, &self.foam, &self.sky);
+            self.groups = groups(gpu, &self.layout, &self.fft, &self.perlin, &self.foam, &self.light);
         }
         self.fft.set_waves(gpu, &sea.cascades, &seas.waves(sea));
+        self.made = [None; 2];
         self.history.reset();
         self.sea = Some(sea.clone());
     }
@@ -125,6 +131,7 @@ impl Surface {
             self.replayed += self.fft.dispatches() + self.fft.stretch_mip_dispatches() + foam::DISPATCHES;
             self.foam.prepare(gpu, &self.history.step(instant, eye, lifetime_s));
             self.fft.set_time(gpu, instant);
+            self.made[0] = None;
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -145,19 +152,28 @@ impl Surface {
             self.foam.prepare(gpu, &self.history.step(ticks, eye, lifetime_s));
         }
         self.foam_step = due.is_some();
-        self.noise = frame.has_noise();
+        let seen = [frame.has_waves(), frame.has_noise()];
+        self.due = [0, 1].map(|i| seen[i] && self.made[i] != Some(ticks));
+        for (made, _) in self.made.iter_mut().zip(self.due).filter(|(_, due)| *due) {
+            *made = Some(ticks);
+        }
         self.fft.set_time(gpu, ticks);
         self.perlin.prepare(gpu, frame);
     }
 
-    /// Records the frame's waves, far sea, their mip levels, and the foam's last step.
+    /// Records what the frame needs of waves, far sea and their mip levels, and the foam's last step.
     pub(super) fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame_group: &wgpu::BindGroup) {
-        self.fft.dispatch(pass);
-        if self.noise {
+        let [waves, noise] = self.due;
+        if waves {
+            self.fft.dispatch(pass);
+        }
+        if noise {
             self.perlin.dispatch(pass);
         }
-        self.fft.dispatch_mips(pass);
-        if self.noise {
+        if waves {
+            self.fft.dispatch_mips(pass);
+        }
+        if noise {
             self.perlin.dispatch_mips(pass);
         }
         if self.foam_step {
@@ -167,9 +183,10 @@ impl Surface {
 
     /// Dispatches of the frame, those of its replay included.
     pub(super) fn dispatches(&self) -> usize {
-        let noise = if self.noise { self.perlin.dispatches() } else { 0 };
+        let waves = if self.due[0] { self.fft.dispatches() + self.fft.mip_dispatches() } else { 0 };
+        let noise = if self.due[1] { self.perlin.dispatches() } else { 0 };
         let foam = if self.foam_step { foam::DISPATCHES } else { 0 };
-        self.replayed + self.fft.dispatches() + self.fft.mip_dispatches() + noise + foam
+        self.replayed + waves + noise + foam
     }
 
     /// Whether the foam's history is being replayed: that needs frames, and nothing from outside.
@@ -185,18 +202,13 @@ fn groups(
     fft: &Fft,
     perlin: &Perlin,
     foam: &Foam,
-    [radiance, irradiance]: &[wgpu::TextureView; 2],
+    light: &Light,
 ) -> [wgpu::BindGroup; 2] {
     foam.maps.each_ref().map(|map| {
-        let views = [
-            texture::array_view(&fft.displacements),
-            texture::array_view(&fft.slopes),
-            texture::array_view(&fft.stretches),
-            texture::view(&perlin.texture),
-            map.clone(),
-            radiance.clone(),
-            irradiance.clone(),
-        ];
-        gpu.bind("surface", layout, &views.each_ref().map(wgpu::BindingResource::TextureView))
+        let waves = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
+        let noise = texture::view(&perlin.texture);
+        let views: Vec<_> =
+            waves.iter().chain([&noise, map]).chain(light).map(wgpu::BindingResource::TextureView).collect();
+        gpu.bind("surface", layout, &views)
     })
 }

@@ -11,7 +11,7 @@ const THREADS: usize = 64;
 /// A shader whose last bind group has the inputs at binding 0 and N outputs from binding 1 on: one of each for an input.
 pub struct Kernel<const N: usize> {
     layout: wgpu::BindGroupLayout,
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ocean_globe::gpu::pipeline::Compute,
 }
 
 impl<const N: usize> Kernel<N> {

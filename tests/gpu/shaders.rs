@@ -9,7 +9,9 @@ use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::pass::ocean::Look;
-use ocean_globe::pass::{backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, tonemap};
+use ocean_globe::pass::{
+    air_table, backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
+};
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
@@ -19,6 +21,7 @@ fn all() -> Vec<(&'static str, String)> {
     let sizes =
         (4..=11).flat_map(|log| [Precision::Half, Precision::Single].map(|p| ("fft.wgsl", fft::source(1 << log, p))));
     let mut all = vec![
+        ("air_table.wgsl", air_table::source()),
         ("backdrop.wgsl", backdrop::source()),
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
@@ -28,6 +31,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("perlin.wgsl", perlin::source()),
         ("sky.wgsl", sky::source()),
         ("sky_table.wgsl", sky_table::source()),
+        ("sky_view.wgsl", sky_view::source()),
         ("tonemap.wgsl", tonemap::source()),
     ];
     all.extend(Look::ALL.map(|look| ("ocean.wgsl", ocean::source(look))));

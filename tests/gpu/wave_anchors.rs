@@ -52,7 +52,7 @@ struct Found {
 struct Domain {
     gpu: Gpu,
     layouts: [wgpu::BindGroupLayout; 2],
-    pipeline: wgpu::ComputePipeline,
+    pipeline: ocean_globe::gpu::pipeline::Compute,
 }
 
 impl Domain {

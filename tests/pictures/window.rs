@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use eframe::App as _;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
@@ -53,6 +54,8 @@ struct Window {
     size: [u32; 2],
     time_s: f64,
     commands: Vec<egui::OutputCommand>,
+    /// When the program wants to be called again if nothing happens.
+    repaint_delay: Duration,
 }
 
 impl Window {
@@ -76,7 +79,17 @@ impl Window {
         let options = Options { state, panel };
         let app = App::new(&creation, gpu.clone(), renderer, options, Box::new(TestPage(page.clone())));
         let app = app.expect("an app on a working device");
-        let mut window = Self { context, host, gpu, app, page, size, time_s: 0.0, commands: Vec::new() };
+        let mut window = Self {
+            context,
+            host,
+            gpu,
+            app,
+            page,
+            size,
+            time_s: 0.0,
+            commands: Vec::new(),
+            repaint_delay: Duration::ZERO,
+        };
         // egui needs a second frame to know the sizes of its areas.
         window.frame(vec![]);
         window.frame(vec![]);
@@ -91,6 +104,7 @@ impl Window {
         let mut frame = eframe::Frame::_new_kittest();
         let mut output = self.context.run_ui(input, |ui| self.app.ui(ui, &mut frame));
         self.commands.append(&mut output.platform_output.commands);
+        self.repaint_delay = output.viewport_output[&egui::ViewportId::ROOT].repaint_delay;
         let shapes = self.context.tessellate(output.shapes, output.pixels_per_point);
         self.paint(&shapes, output.textures_delta)
     }
@@ -117,6 +131,33 @@ impl Window {
         renderer.render(&mut encoder.begin_render_pass(&pass).forget_lifetime(), shapes, &screen);
         self.host.queue.submit(extra.into_iter().chain([encoder.finish()]));
         self.gpu.read_texture(&target, 0, 0).expect("a readable target")
+    }
+
+    /// Frames until everything is drawn as it is to stay.
+    fn settle(&mut self) {
+        self.frame(vec![]);
+        while self.fact("state") != "settled" {
+            std::thread::sleep(Duration::from_millis(5));
+            self.frame(vec![]);
+        }
+    }
+
+    /// Pictures that the device has finished.
+    fn pictures(&self) -> u32 {
+        self.fact("pictures").parse().expect("a number")
+    }
+
+    /// Frames for some seconds, called as a host would; returns how many frames there were, and pictures.
+    fn run_for(&mut self, seconds: f64) -> [u32; 2] {
+        let (start, before) = (Instant::now(), self.pictures());
+        let mut frames = 0;
+        while start.elapsed().as_secs_f64() < seconds {
+            let left = Duration::from_secs_f64(seconds).saturating_sub(start.elapsed());
+            std::thread::sleep(self.repaint_delay.min(left));
+            self.frame(vec![]);
+            frames += 1;
+        }
+        [frames, self.pictures() - before]
     }
 
     fn fact(&self, name: &str) -> String {
@@ -184,10 +225,7 @@ fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
     let size = [320, 180];
     // A sea with whitecaps, whose past the window replays over several frames.
     let mut window = Window::open(STILL, false, size);
-    while window.fact("state") == "loading" {
-        window.frame(vec![]);
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
+    window.settle();
     let seen = window.frame(vec![]);
     // The same frame by the renderer alone, on the same device.
     let mut alone = renderer(&window.gpu);
@@ -328,4 +366,52 @@ fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
     window.frame(scroll(over_panel));
     (0..10).for_each(|_| drop(window.frame(vec![])));
     assert_eq!(window.state().camera, rest);
+}
+
+#[test]
+fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
+    let still = "view=38,-2,3000000&time=2026-06-21T12:30:00Z&rate=0";
+    let mut window = Window::open(still, false, [320, 180]);
+    assert!(window.gpu.software, "{} is a graphics card: this test is about processors", window.gpu.adapter);
+    window.settle();
+    assert_eq!(window.fact("scale"), "1.00");
+    let before = window.pictures();
+    window.press(pos2(150.0, 90.0), true);
+    for step in 0..10 {
+        window.frame(vec![Event::PointerMoved(pos2(150.0 + 3.0 * step as f32, 90.0))]);
+        std::thread::sleep(Duration::from_millis(20));
+        let _ = window.gpu.device.poll(wgpu::PollType::wait_indefinitely());
+    }
+    window.frame(vec![]);
+    assert!(window.pictures() > before + 2, "{} pictures of a drag", window.pictures() - before);
+    let scale: f64 = window.fact("scale").parse().expect("a number");
+    assert!((0.25..0.9).contains(&scale), "a scale of {scale}");
+    assert_eq!(window.fact("state"), "loading");
+    window.press(pos2(180.0, 90.0), false);
+    window.settle();
+    assert_eq!(window.fact("scale"), "1.00");
+    // A quality that somebody has chosen is drawn as it is, moving or not.
+    window.page.borrow_mut().arriving = Some(format!("{still}&quality=low"));
+    window.frame(vec![]);
+    let _ = window.gpu.device.poll(wgpu::PollType::wait_indefinitely());
+    window.frame(vec![]);
+    assert_eq!(window.fact("scale"), "1.00");
+}
+
+#[test]
+fn from_orbit_time_runs_without_a_picture_and_at_the_deck_with_many() {
+    let running = |view: &str| format!("{view}&time=2026-06-21T12:30:00Z&seed=7&quality=low");
+    let mut orbit = Window::open(&running("view=16,-25,30000000"), false, [160, 90]);
+    orbit.settle();
+    let shown_s = orbit.state().time;
+    // 276 km to a pixel: the terminator moves half of it in five minutes. One picture may fall into any three seconds.
+    let [frames, pictures] = orbit.run_for(3.0);
+    assert!(pictures <= 1 && frames <= 12, "{pictures} pictures, {frames} frames");
+    assert!(orbit.repaint_delay > Duration::from_secs(1) || pictures > 0, "{:?}", orbit.repaint_delay);
+    orbit.frame(vec![]);
+    assert_ne!(orbit.state().time, shown_s, "the time stands still");
+    let mut deck = Window::open(&running("view=35,-30,12,270,80&wind=5@250"), false, [160, 90]);
+    deck.settle();
+    let [frames, pictures] = deck.run_for(3.0);
+    assert!(pictures >= 3 && frames >= pictures, "{pictures} pictures, {frames} frames");
 }

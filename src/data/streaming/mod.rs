@@ -89,6 +89,7 @@ impl Streaming {
                 }
             }
         }
+        world.send();
         self.pages.update(&self.layers, std::mem::take(&mut self.changed), lat, lon);
         complete && world.settled()
     }

@@ -115,6 +115,17 @@ mod tests {
                 assert!(found.least <= value && value <= found.greatest, "{first:?} to {last:?}: {value}, {found:?}");
             }
         }
+        // One texel stands out, in each corner of a block and of the blocks above it.
+        for bit in (0..8).map(|i| 1usize << i) {
+            for [x, y] in [[bit, 0], [0, bit], [bit, bit], [255 - bit, 255]] {
+                let mut flat = vec![0.0; TILE_TEXELS * TILE_TEXELS];
+                flat[y * TILE_TEXELS + x] = 500.0;
+                let range = TileRange::new(&TileTexels::Terrain(flat));
+                let [column, row] = [x, y].map(|at| at as i64);
+                assert_eq!(range.whole().greatest, 500.0, "{x}, {y}");
+                assert_eq!(range.between([column - 9, row - 9], [column, row]).greatest, 500.0, "{x}, {y}");
+            }
+        }
         // The whole tile's is tight: rounded to a metre.
         let (least, greatest) = all.iter().fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(*x), b.max(*x)));
         assert_eq!(range.whole(), Range { least: least.floor().into(), greatest: greatest.ceil().into() });

@@ -117,9 +117,26 @@ impl Frame {
         self
     }
 
+    /// Whether anything of the wave tiles can be seen: not from where the Perlin field alone makes the sea, nor where a pixel hides all.
+    pub fn has_waves(&self) -> bool {
+        self.nearest_sea_m() < self.uniform.mix_far && self.resolves_waves()
+    }
+
     /// Whether anything of the Perlin field can be seen.
     pub fn has_noise(&self) -> bool {
-        self.uniform.mix_near < NEVER_M
+        self.uniform.mix_near < NEVER_M && self.resolves_waves()
+    }
+
+    /// A distance that no water is nearer than, metres.
+    fn nearest_sea_m(&self) -> f32 {
+        self.uniform.eye_altitude - self.uniform.crest_height
+    }
+
+    /// What `any_resolvable` of `shaders/lib/waves.wgsl` says where the water is nearest: a pixel as wide as 0.4 of the longest tile
+    /// shows none of it.
+    fn resolves_waves(&self) -> bool {
+        let longest = self.uniform.patches.x.max(self.uniform.perlin_patch);
+        self.nearest_sea_m() * self.uniform.pixel_angle < 0.4 * longest
     }
 
     /// The frame's instant in ticks of the wave clock, see [`crate::model::waves::TICKS_PER_SECOND`].
@@ -206,7 +223,9 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
 fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
     let sun = sun::sun_direction_ecef(unix_seconds);
-    u.sun = (ecef_from_enu.transpose() * sun).as_vec3();
+    // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
+    let steps = f64::from(1 << 13);
+    u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
     // The eye adapts to twilight near the ground, and not at all to the lit globe that it sees from space.
     let mu = earth::normal(camera.lat, camera.lon).dot(sun);
     let day = ((mu + 0.17) / 0.42).clamp(0.0, 1.0);

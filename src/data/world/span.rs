@@ -1,0 +1,132 @@
+//! Neighbouring tiles of an archive, fetched in one request.
+//!
+//! An archive holds the tiles of a level along a Hilbert curve, and tiles of the same content once: what is seen together often lies
+//! together.
+
+use super::{Key, decoded, load};
+use crate::data::TileTexels;
+use crate::data::fetch::Source;
+use crate::data::pmtiles::Archive;
+use crate::error::Result;
+use std::ops::Range;
+
+/// Bytes between two tiles that are fetched for nothing rather than asked for apart: what a request costs in headers and time.
+const GAP: u64 = 8 << 10;
+/// Tiles of one request at most: they are decoded one after the other.
+const MOST_TILES: usize = 12;
+/// Bytes of one request at most.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// One wish: which tile, its rank among all, and where it lies in its archive, if that is known.
+pub(super) struct Wish {
+    /// The archive.
+    pub(super) slot: usize,
+    /// The tile.
+    pub(super) key: Key,
+    /// Level and number of the wish: the smallest comes first.
+    pub(super) rank: (u8, u64),
+    /// Bytes of the archive.
+    pub(super) place: Option<Range<u64>>,
+}
+
+/// Wishes that one request answers.
+pub(super) struct Span {
+    bytes: Range<u64>,
+    /// In the order of their places; never empty.
+    pub(super) wishes: Vec<Wish>,
+}
+
+impl Span {
+    fn takes(&self, wish: &Wish) -> bool {
+        let Some(place) = &wish.place else { return false };
+        self.wishes[0].slot == wish.slot
+            && self.wishes[0].place.is_some()
+            && place.start <= self.bytes.end + GAP
+            && place.end.max(self.bytes.end) - self.bytes.start <= MOST_BYTES
+            && self.wishes.len() < MOST_TILES
+    }
+
+    /// The rank of its first wish.
+    pub(super) fn rank(&self) -> (u8, u64) {
+        self.wishes.iter().map(|wish| wish.rank).min().unwrap_or_default()
+    }
+}
+
+/// The requests that answer some wishes, the most urgent first.
+pub(super) fn spans(mut wishes: Vec<Wish>) -> Vec<Span> {
+    wishes.sort_by_key(|wish| (wish.slot, wish.place.as_ref().map(|place| (place.start, place.end)), wish.rank));
+    let mut spans: Vec<Span> = Vec::new();
+    for wish in wishes {
+        match spans.last_mut().filter(|span| span.takes(&wish)) {
+            Some(span) => {
+                span.bytes.end = span.bytes.end.max(wish.place.as_ref().map_or(0, |place| place.end));
+                span.wishes.push(wish);
+            }
+            None => spans.push(Span { bytes: wish.place.clone().unwrap_or(0..0), wishes: vec![wish] }),
+        }
+    }
+    spans.sort_by_key(Span::rank);
+    spans
+}
+
+/// Fetches a span and hands over what came of each of its tiles. Where the whole span cannot be had each tile is tried on its own, so that
+/// one of them never holds up the others.
+pub(super) async fn fetch(
+    archive: &Archive<Source>,
+    span: Span,
+    mut hand_over: impl FnMut(Key, Result<Option<TileTexels>>),
+) {
+    let places: Vec<_> = span.wishes.iter().filter_map(|wish| wish.place.clone()).collect();
+    if span.wishes.len() > 1
+        && let Ok(tiles) = archive.tiles(span.bytes, &places).await
+    {
+        for (wish, bytes) in span.wishes.iter().zip(tiles) {
+            hand_over(wish.key, decoded(archive, wish.key, &bytes).map(Some));
+        }
+        return;
+    }
+    for wish in span.wishes {
+        hand_over(wish.key, load(archive, wish.key).await);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::tile::{Layer, Projection, TileId};
+
+    fn wish(number: u64, slot: usize, place: Option<Range<u64>>) -> Wish {
+        let key = (Layer::Water, TileId::new(Projection::Mercator, 7, number as u32, 0).unwrap());
+        Wish { slot, key, rank: (7, number), place }
+    }
+
+    fn numbers(spans: &[Span]) -> Vec<Vec<u64>> {
+        spans.iter().map(|span| span.wishes.iter().map(|wish| wish.rank.1).collect()).collect()
+    }
+
+    #[test]
+    fn neighbours_and_twins_share_a_request_and_strangers_do_not() {
+        let far = 1_000_000;
+        let wishes = vec![
+            wish(1, 0, Some(far..far + 100)),
+            wish(2, 0, Some(0..100)),
+            wish(3, 0, Some(100 + GAP..200 + GAP)),
+            wish(4, 0, Some(0..100)),
+            wish(5, 1, Some(100..200)),
+            wish(6, 0, None),
+            wish(7, 0, None),
+            wish(8, 0, Some(far + 101 + GAP..far + 200 + GAP)),
+        ];
+        let spans = spans(wishes);
+        assert_eq!(numbers(&spans), [vec![1], vec![2, 4, 3], vec![5], vec![6], vec![7], vec![8]]);
+        assert_eq!(spans[1].bytes, 0..200 + GAP);
+    }
+
+    #[test]
+    fn a_request_is_bounded_in_tiles_and_bytes() {
+        let row = |length: u64| (0..40).map(|i| wish(i, 0, Some(i * length..(i + 1) * length))).collect();
+        assert!(spans(row(100)).iter().all(|span| span.wishes.len() <= MOST_TILES));
+        assert!(spans(row(200_000)).iter().all(|span| span.bytes.end - span.bytes.start <= MOST_BYTES));
+        assert_eq!(spans(row(100)).len(), 40usize.div_ceil(MOST_TILES));
+    }
+}
