@@ -28,7 +28,7 @@ const BROWSERS = {
 };
 
 /** Two cores that draw a frame in half a second need time to compile pipelines and to stream tiles. */
-export const SETTLE_MS = 180_000;
+export const SETTLE_MS = 400_000;
 
 /** A page that compiles pipelines or simulates a new sea may answer late. */
 const LONGEST_ANSWER_MS = 600_000;
