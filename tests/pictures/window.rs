@@ -1,4 +1,6 @@
 //! The whole program in a window that nobody sees: input, panel, address and the picture on egui's target.
+//!
+//! One file, since every test drives the same window without a screen, and half of it is that window.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
