@@ -11,13 +11,9 @@ stage() {  # NAME COMMAND...
   "$@" || failed+=("$name")
   printf '== %s: %s s\n' "$name" $((SECONDS - start))
 }
-native() {
-  if cargo nextest --version >/dev/null 2>&1; then
-    cargo nextest run --locked --no-fail-fast && cargo test --locked --doc
-  else
-    cargo test --locked --no-fail-fast
-  fi
-}
+# Not nextest, even where it is: it starts every test in a process of its own, and the tests of a program share one device, one set
+# of pipelines and the bundled world.
+native() { cargo test --locked --no-fail-fast; }
 built_page() { wait $page; local code=$?; cat "$page_log"; return $code; }
 browser() {
   OCEAN_GLOBE_PAGE=$QUICK_PAGE OCEAN_GLOBE=$TARGET_DIR/debug/ocean-globe \
