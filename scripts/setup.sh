@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what a fresh machine lacks: `setup.sh compiler` for compiling the page, `run` for building and serving it, `build` for
-# making it small, `test` for what tests need besides a page. Nothing that is there already, so a second run takes a second. Needs rustup's
+# Installs what a fresh machine lacks: `setup.sh compiler` for compiling the page, `run` for serving it, `build` for making it
+# small, `test` for what tests need besides a page. Nothing that is there already, so a second run takes a second. Needs rustup's
 # Rust, Node with npm and, for tests, root or sudo for apt-get, or Firefox, Chromium and a Vulkan driver that are there already.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/env.sh"
@@ -120,7 +120,7 @@ online="see the log; with a network that reaches the crate and npm registries, r
 step "Rust's $TARGET" has_wasm_std get_wasm_std "install Rust with rustup, then: rustup target add $TARGET"
 if [ "$what" = run ] || [ "$what" = build ]; then
   step "wasm-bindgen $WASM_BINDGEN" has_wasm_bindgen get_wasm_bindgen "$online" 160 '1 to 2'
-  step "Trunk $TRUNK" has_trunk get_trunk "$online" 370 '2 to 5'
+  if [ "$what" = build ]; then step "Trunk $TRUNK" has_trunk get_trunk "$online" 370 '2 to 5'; fi
   rm -rf "$CACHE/build"
 fi
 if [ "$what" = run ] || [ "$what" = test ]; then step "server of make run" has_server get_server "$online"; fi
