@@ -49,6 +49,8 @@ pub struct Options {
 
 /// Time without a move after which the eye is at rest, seconds: a hand that pauses must not wait for a full picture.
 const PAUSE_S: f64 = 0.3;
+/// Time in a frame for the sea of a picture at rest, seconds: hands are answered between two of them.
+const SEA_WORK_S: f64 = 0.05;
 /// Part of the time that pictures of arriving map tiles may take: the rest is for their decoding.
 const SETTLING_SHARE: f64 = 0.4;
 
@@ -81,8 +83,8 @@ pub struct App {
     /// When the last picture was begun, by [`now_s`], and what it is expected to take, milliseconds.
     begun_s: f64,
     picture_ms: f64,
-    /// Whether the picture on its way is one of those that the pace is set by.
-    paced: bool,
+    /// Whether the picture on its way is a moving one, or one at rest in full; `None` where it takes longer for what is still to come.
+    paced: Option<bool>,
     /// Whether the picture on its way shows the same as the one before, a while later.
     renewing: bool,
     /// Quality whose waves are drawn.
@@ -140,7 +142,7 @@ impl App {
             in_flight: InFlight::default(),
             begun_s: 0.0,
             picture_ms: 0.0,
-            paced: false,
+            paced: None,
             renewing: false,
             quality: Quality::Auto,
             longest_wave_m: 0.0,
@@ -209,14 +211,24 @@ impl App {
             _ => settings.quality,
         };
         let drawn = Settings { quality: self.quality, ..settings.clone() };
+        let until_s = now_s() + SEA_WORK_S;
         self.renderer.seas_mut().begin(&drawn);
+        // At rest the sea is finished first: what its thresholds change, the foam's past would have to follow once more.
+        while motion == Motion::Rest && self.renderer.seas_mut().is_busy() && now_s() < until_s {
+            self.renderer.seas_mut().begin(&drawn);
+        }
+        if motion == Motion::Rest && self.shown.is_some() && self.renderer.seas_mut().is_busy() {
+            return;
+        }
         if self.in_flight.is_busy(&self.gpu) {
             return;
         }
         if let Some(ms) = self.in_flight.news() {
             self.picture_ms = ms;
-            if self.paced {
-                self.pace.measured(ms);
+            match self.paced {
+                Some(true) => self.pace.measured(ms),
+                Some(false) => self.pace.measured_full(ms),
+                None => {}
             }
         }
         let camera = self.renderer.eye(&self.state, unix_seconds);
@@ -248,8 +260,12 @@ impl App {
         let label = wgpu::CommandEncoderDescriptor { label: Some("scene") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
         self.renderer.render(&mut encoder, &frame, &self.picture.view);
-        let context = context.clone();
-        self.in_flight.submit(&self.gpu, encoder, move || context.request_repaint());
+        let (context, let_moves_through) =
+            (context.clone(), if self.gpu.software { self.page.keep_moves() } else { || {} });
+        self.in_flight.submit(&self.gpu, encoder, move || {
+            let_moves_through();
+            context.request_repaint();
+        });
         if self.steady && motion == Motion::Moving {
             let weight = if self.frame_ms == 0.0 { 1.0 } else { 0.1 };
             self.frame_ms += ((now - self.begun_s) * 1000.0 - self.frame_ms) * weight;
@@ -257,7 +273,7 @@ impl App {
         self.begun_s = now;
         let before = self.shown.take().map(|shown| Shown { unix_seconds, ..shown });
         self.renewing = motion == Motion::Rest && before.as_ref() == Some(&wanted);
-        self.paced = motion != Motion::Rest && !self.renderer.is_replaying();
+        self.paced = (!self.renderer.is_replaying()).then_some(motion != Motion::Rest);
         self.shown = Some(wanted);
     }
 

@@ -42,7 +42,7 @@ const RUNGS: [(f64, Quality, u32); 7] = [
 const LAST_FIRST: usize = 4;
 /// Pictures on a rung before the next change for the worse and for the better: who waits for a picture must not wait for more of them, and
 /// a better one has time.
-const PATIENCE: [u32; 2] = [3, 8];
+const PATIENCE: [u32; 2] = [1, 8];
 /// Weight of the latest picture in the smoothed time.
 const WEIGHT: f64 = 0.4;
 
@@ -114,6 +114,12 @@ fn next_rung(rung: usize, adapter: Adapter, ms: f64) -> usize {
     rung.checked_sub(1).filter(|&better| predicted_ms(better) < 0.75 * target_ms).unwrap_or(rung)
 }
 
+/// The best rung that may draw in time on a machine whose full pictures take `ms`.
+fn rung_for_full(adapter: Adapter, ms: f64) -> usize {
+    let last = RUNGS.len() - 1;
+    (0..last).find(|&rung| ms * work(rung) < adapter.target_ms()).unwrap_or(last)
+}
+
 /// The effort of moving pictures, as it has turned out so far.
 #[derive(Clone, Debug)]
 pub struct Pace {
@@ -141,6 +147,16 @@ impl Pace {
         // The foam's past is that of the full picture's waves.
         let quality = if motion == Motion::Settling { quality } else { samples };
         Effort { scale: scale(rung, self.adapter, pixels_per_point), quality, cell_pixels }
+    }
+
+    /// Takes in what a processor took for a picture at rest, milliseconds: where that was long, the next move begins coarse. A graphics
+    /// card finds its effort in a moment.
+    pub fn measured_full(&mut self, ms: f64) {
+        let Some(rung) = self.rung.filter(|_| self.adapter == Adapter::Software) else { return };
+        let needed = rung_for_full(self.adapter, ms);
+        if needed > rung {
+            (self.rung, self.count) = (Some(needed), 0);
+        }
     }
 
     /// Takes in what the device took for a moving picture, milliseconds.
@@ -231,6 +247,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_move_after_a_slow_full_picture_begins_coarse_and_finds_its_effort() {
+        let mut pace = Pace::new(Adapter::Software);
+        pace.effort(Quality::Auto, Motion::Settling, CANVAS, 1.0);
+        pace.measured_full(5_000.0);
+        assert_eq!(pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0).scale, 0.28);
+        // It was slow for another reason: moving pictures are quick.
+        (0..100).for_each(|_| pace.measured(20.0));
+        assert_eq!(pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0).scale, 1.0);
+        // A quick full picture changes nothing.
+        pace.measured_full(30.0);
+        assert_eq!(pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0).scale, 1.0);
     }
 
     #[test]
