@@ -28,6 +28,8 @@ const TURN: usize = 4096;
 struct Wave {
     /// Its column in [`Axis`].
     column: usize,
+    /// rad/m.
+    kx: f64,
     /// 1/|k|, m.
     per_k: f64,
     /// The parts of H(k) that go with cos ωt and with sin ωt.
@@ -173,6 +175,7 @@ impl LiftedTile {
             }
             let wave = Wave {
                 column: (i + reach) as usize,
+                kx,
                 per_k: 1.0 / kx.hypot(ky),
                 // h0 (cos − i sin) + conj(h0(−k)) (cos + i sin).
                 parts: [[a + c, b - d], [b + d, c - a]],
@@ -197,24 +200,24 @@ impl LiftedTile {
     /// The motion at tile coordinates `at`, m, by the first `parts` of the waves.
     fn motion(&self, evolved: &Evolved, parts: usize, at: DVec2) -> Motion {
         let (along_x, along_y) = (self.factors(at.x), self.factors(at.y));
-        let dk = std::f64::consts::TAU / self.patch_m;
         let mut sum = Motion::default();
         for (rows, evolved) in self.rows.iter().zip(evolved).take(parts) {
             let mut evolved = evolved.iter();
             for row in rows {
-                // Sums of H e^{ikx} times 1, kx, 1/k, kx/k, kx²/k.
-                let mut sums = [[0.0; 2]; 5];
+                // Sums of H e^{ikx} times 1, kx, 1/k, kx/k, kx²/k: written out, since a build for tests unrolls no loop.
+                let [mut one, mut x, mut per, mut x_per, mut xx_per] = [DVec2::ZERO; 5];
                 for (wave, h) in row.waves.iter().zip(&mut evolved) {
-                    let [re, im] = mul(*h, along_x[wave.column]);
-                    let kx = dk * f64::from(wave.column as i32 - self.reach);
-                    let weights = [1.0, kx, wave.per_k, kx * wave.per_k, kx * kx * wave.per_k];
-                    for (sum, weight) in sums.iter_mut().zip(weights) {
-                        *sum = [sum[0] + weight * re, sum[1] + weight * im];
-                    }
+                    let turned = DVec2::from(mul(*h, along_x[wave.column]));
+                    let over_k = wave.per_k * turned;
+                    one += turned;
+                    x += wave.kx * turned;
+                    per += over_k;
+                    x_per += wave.kx * over_k;
+                    xx_per += wave.kx * wave.kx * over_k;
                 }
                 // Twice the real part, for the mirrored waves too.
                 let turn = along_y[row.row].map(|part| 2.0 * part);
-                let [one, x, per, x_per, xx_per] = sums.map(|sum| mul(sum, turn));
+                let [one, x, per, x_per, xx_per] = [one, x, per, x_per, xx_per].map(|sum| mul(sum.to_array(), turn));
                 let ky = row.ky;
                 sum += Motion {
                     height: one[0],
