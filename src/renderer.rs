@@ -4,19 +4,18 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
-use crate::gpu::Gpu;
-use crate::gpu::texture;
+use crate::gpu::overlay::Overlay;
+use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
-use crate::pass::backdrop::Backdrop;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::land::Land;
 use crate::pass::ocean::{Look, Ocean};
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
-use crate::pass::tonemap::Tonemap;
 use crate::pass::world_tiles::WorldTiles;
+use crate::pass::{backdrop, tonemap};
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::frame::{Frame, Output};
 use crate::scene::sea::Seas;
@@ -59,8 +58,8 @@ pub struct Renderer {
     sky: Sky,
     land: Land,
     ocean: Ocean,
-    backdrop: Backdrop,
-    tonemap: Tonemap,
+    backdrop: Overlay,
+    tonemap: Overlay,
     targets: Option<Targets>,
     moving: bool,
     clear: Option<wgpu::Color>,
@@ -105,8 +104,8 @@ impl Renderer {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, radiance, DEPTH_FORMAT),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
-            backdrop: Backdrop::new(&gpu, [radiance, DEPTH_FORMAT]),
-            tonemap: Tonemap::new(&gpu, TARGET_FORMAT),
+            backdrop: backdrop::pass(&gpu, [radiance, DEPTH_FORMAT]),
+            tonemap: tonemap::pass(&gpu, TARGET_FORMAT),
             radiance_format: radiance,
             streaming: Streaming::default(),
             tiles,
@@ -247,8 +246,8 @@ impl Renderer {
         }
         let targets = Targets::new(&self.gpu, size, self.radiance_format);
         self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
-        self.backdrop.set_scene(&self.gpu, &targets.scene);
-        self.tonemap.set_scene(&self.gpu, &texture::view(&targets.radiance));
+        self.backdrop.set_source(&self.gpu, &targets.scene);
+        self.tonemap.set_source(&self.gpu, &texture::view(&targets.radiance));
         self.targets = Some(targets);
     }
 

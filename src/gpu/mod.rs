@@ -3,6 +3,7 @@
 pub mod context;
 pub mod mesh;
 pub mod mips;
+pub mod overlay;
 pub mod pipeline;
 pub mod readback;
 pub mod shader;

@@ -10,8 +10,11 @@ use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, Tile
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
-/// Deepest level of the ground's mesh: cells of 76 m at the equator.
-pub const DEEPEST_MESH: u8 = 14;
+/// Deepest level of the ground's mesh, whatever the archives hold: cells of 76 m at the equator.
+const DEEPEST_MESH: u8 = 14;
+/// Levels of the mesh below the archives' deepest tiles, whose texels are as wide as the mesh's cells three levels down: four cells to a
+/// texel follow what a sharp coast makes of it (`shaped_elevation`), and finer ones show nothing more.
+const LEVELS_BELOW: u8 = 5;
 /// Highest and lowest ground, metres, with a margin.
 const RELIEF_M: f64 = 9_500.0;
 /// Tiles that one frame may draw.
@@ -122,9 +125,19 @@ impl Hiding {
 /// The tiles whose data a picture of `size` pixels needs, each place once, coarse tiles first, none deeper than the archives. They
 /// depend on the view alone: if what has come changed what is asked for, two sets of tiles could drive each other out for ever.
 pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<TileId> {
-    let deepest =
-        |id: TileId| Layer::ALL.map(|layer| tiles.deepest(layer, id.projection)).into_iter().max().unwrap_or(0);
-    refined(camera, size, |id, _, visibility, b| (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest(id)))
+    refined(camera, size, |id, _, visibility, b| {
+        (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest_tiles(id.projection, tiles))
+    })
+}
+
+/// Deepest level of any layer's tiles.
+fn deepest_tiles(projection: Projection, tiles: &Streaming) -> u8 {
+    Layer::ALL.map(|layer| tiles.deepest(layer, projection)).into_iter().max().unwrap_or(0)
+}
+
+/// Deepest level of the ground's mesh over what the archives hold.
+pub fn deepest_mesh(projection: Projection, tiles: &Streaming) -> u8 {
+    (deepest_tiles(projection, tiles) + LEVELS_BELOW).min(DEEPEST_MESH)
 }
 
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
@@ -133,7 +146,7 @@ pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: O
     refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
-        (shows, id.z < DEEPEST_MESH)
+        (shows, id.z < deepest_mesh(id.projection, tiles))
     })
 }
 
