@@ -16,6 +16,8 @@ pub struct Gpu {
     pub adapter: String,
     /// Whether the processor stands in for a graphics card.
     pub software: bool,
+    /// Rewrites the text of a shader, by its pipeline's label, before it is compiled: for measurements.
+    pub instrument: Option<fn(&str, &str) -> String>,
     /// Every pipeline of the device, once.
     pub(super) made: Arc<Made>,
 }
@@ -43,7 +45,7 @@ impl Gpu {
     pub fn new(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
         let info = adapter.get_info();
         let software = info.device_type == wgpu::DeviceType::Cpu;
-        Self { device, queue, adapter: described(&info), software, made: Arc::default() }
+        Self { device, queue, adapter: described(&info), software, instrument: None, made: Arc::default() }
     }
 
     /// A device without a window: the best adapter there is, a software one included.

@@ -117,7 +117,8 @@ impl Gpu {
     }
 
     fn module(&self, label: &str, source: &str) -> Arc<Lazy<wgpu::ShaderModule>> {
-        let (device, label, source) = (self.device.clone(), label.to_owned(), source.to_owned());
+        let source = self.instrument.map_or_else(|| source.to_owned(), |rewrite| rewrite(label, source));
+        let (device, label) = (self.device.clone(), label.to_owned());
         Arc::new(Lazy::new(Box::new(move || {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(&label),

@@ -1,5 +1,6 @@
 //! What the GPU computes, pass by pass and shader by shader, without a picture.
 
+mod accesses;
 mod air;
 mod bisection;
 mod ensemble;
