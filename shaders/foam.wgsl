@@ -3,12 +3,12 @@
 
 struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
-    grow: vec4f,               // exp(-dt / growth time), by level; 1 where the level stays as it is
+    grow: vec4f,               // exp(-dt / growth time), by level
     keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
     cells: u32,                // wave cells that serve the map, the first of all
-    unused_a: u32,
-    unused_b: u32,
+    due: u32,                  // a bit for each level that time passes on
+    unused: u32,
 }
 
 @group(2) @binding(0) var<uniform> now: FoamStep;
@@ -27,57 +27,82 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     let cells = serving(p, now.cells);
     let texels = f32(textureDimensions(stretches).x);
     var sum = vec3f(0.0);
-    for (var left = cells.cells; left != 0u; left &= left - 1u) {
-        let node = firstTrailingBit(left);
-        let share = cell_weight(node, p, cells);
-        let q = in_plane(node, p);
-        // The longest tile comes first.
-        for (var c = 0u; c < frame.cascade_count && frame.patches[c] >= SHORTEST_TILE_TEXELS * footprint; c++) {
+    var left = cells.cells;
+    loop {
+        let cell = firstTrailingBit(left);
+        let share = cell_weight(cell, p, cells);
+        let plane = plane_of(cell);
+        let q = in_plane(plane, p);
+        // The longest tile comes first, and is always long enough.
+        var c = 0u;
+        loop {
             let length = frame.patches[c];
             let lod = mip_for(footprint, length, texels);
-            let triangle = triangle_around(node, c, frame.spacings[c], q);
-            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+            let triangle = triangle_around(plane, c, frame.spacings[c], q);
+            var k = 0u;
+            loop {
                 let w = share * triangle.weights[k];
-                let here = cascade_placement(node, c, triangle, k, texels);
+                let here = cascade_placement(plane, c, triangle, k, texels);
                 let own = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
                 sum += turned(w * own, here.axis_x, here.axis_y);
+                k++;
+                if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
+            c++;
+            if c == frame.cascade_count || frame.patches[c] < SHORTEST_TILE_TEXELS * footprint { break; }
         }
+        left &= left - 1u;
+        if left == 0u { break; }
     }
     return 0.5 * (sum.x + sum.y) - length(vec2f(0.5 * (sum.x - sum.y), sum.z));
+}
+
+// What the map knows of the texel of the world in a slot of a square.
+fn known(slot: vec2i, before: vec4f, level: u32) -> f32 {
+    let square = frame.foam_levels[level];
+    // Nothing that this square can hold folds: it has its share everywhere.
+    if square.threshold < -1e8 { return frame.whitecaps; }
+    if now.empty == 1u { return 0.0; }
+    let world = world_texel(slot, square.texel);
+    let was = world - now.previous[level].xy;
+    if all(was >= vec2i(-FOAM_TEXELS / 2)) && all(was < vec2i(FOAM_TEXELS / 2)) { return before[level]; }
+    // New in this square: the next coarser one, whose texels are three times as wide, knows the place.
+    let coarser = vec2i(floor((vec2f(world) + 0.5) / 3.0)) & vec2i(FOAM_TEXELS - 1);
+    return select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
+}
+
+fn all_known(slot: vec2i) -> vec4f {
+    let before = textureLoad(foam_map, slot, 0);
+    return vec4f(known(slot, before, 0u), known(slot, before, 1u), known(slot, before, 2u), known(slot, before, 3u));
+}
+
+// The squares follow the eye; no time passes.
+@compute @workgroup_size(8, 8)
+fn follow(@builtin(global_invocation_id) id: vec3u) {
+    let slot = vec2i(id.xy);
+    textureStore(next, slot, all_known(slot));
 }
 
 @compute @workgroup_size(8, 8)
 fn advance(@builtin(global_invocation_id) id: vec3u) {
     let slot = vec2i(id.xy);
-    let before = textureLoad(foam_map, slot, 0);
-    let axis_x = nodes[0].axis_x;
-    let axis_y = nodes[0].axis_y;
-    var after = vec4f(0.0);
-    for (var level = 0u; level < FOAM_LEVELS; level++) {
+    let axis_x = wave_cells[0].axis_x;
+    let axis_y = wave_cells[0].axis_y;
+    var after = all_known(slot);
+    var left = now.due;
+    loop {
+        let level = firstTrailingBit(left);
         let square = frame.foam_levels[level];
-        if square.threshold < -1e8 {
-            // Nothing that this square can hold folds: it has its share everywhere.
-            after[level] = frame.whitecaps;
-            continue;
-        }
+        let foam = after[level];
         let world = world_texel(slot, square.texel);
-        let was = world - now.previous[level].xy;
-        var foam = before[level];
-        if any(was < vec2i(-FOAM_TEXELS / 2)) || any(was >= vec2i(FOAM_TEXELS / 2)) {
-            // New in this square: the next coarser one, whose texels are three times as wide, knows the place.
-            let coarser = vec2i(floor((vec2f(world) + 0.5) / 3.0)) & vec2i(FOAM_TEXELS - 1);
-            foam = select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
-        }
-        if now.empty == 1u { foam = 0.0; }
-        if now.keep[level] == 1.0 && now.grow[level] == 1.0 {
-            after[level] = foam;
-            continue;
-        }
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
         let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
-        after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
+        if square.threshold > -1e8 {
+            after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
+        }
+        left &= left - 1u;
+        if left == 0u { break; }
     }
     textureStore(next, slot, after);
 }

@@ -14,32 +14,50 @@ const PERLIN_TILE = 4u;
 struct Serving { nearest: f32, norm: f32, cells: u32 }
 
 // A cell serves up to BLEND_WIDTH beyond the nearest one.
-fn reach_weight(node: u32, p: vec3f, nearest: f32) -> f32 {
-    return smoothstep(0.0, 1.0, 1.0 - (distance(p, nodes[node].origin) - nearest) / BLEND_WIDTH);
+fn reach_weight(cell: u32, p: vec3f, nearest: f32) -> f32 {
+    return smoothstep(0.0, 1.0, 1.0 - (distance(p, wave_cells[cell].origin) - nearest) / BLEND_WIDTH);
 }
 
-// Of the first `count` cells, which are the nearest to the eye.
+// Of the first `count` cells, which are the nearest to the eye, the nearest first: none from `end` on can reach the point.
 fn serving(p: vec3f, count: u32) -> Serving {
+    let way = length(p);
     var nearest = 1e30;
-    for (var i = 0u; i < count; i++) { nearest = min(nearest, distance(p, nodes[i].origin)); }
+    var end = 0u;
+    loop {
+        nearest = min(nearest, distance(p, wave_cells[end].origin));
+        // A hundredth covers the ellipsoid's flattening: cells are sorted by their distance from the eye's foot.
+        end++;
+        if end >= count || 0.99 * length(wave_cells[end].origin) - way > nearest + BLEND_WIDTH { break; }
+    }
     var squares = 0.0;
     var cells = 0u;
-    for (var i = 0u; i < count; i++) {
+    var i = 0u;
+    loop {
         let w = reach_weight(i, p, nearest);
         squares += w * w;
         cells |= select(0u, 1u << i, w > 0.0);
+        i++;
+        if i == end { break; }
     }
     return Serving(nearest, inverseSqrt(max(squares, 1e-6)), cells);
 }
 
 // A cell's weight at a point; squares sum to one.
-fn cell_weight(node: u32, p: vec3f, cells: Serving) -> f32 {
-    return reach_weight(node, p, cells.nearest) * cells.norm;
+fn cell_weight(cell: u32, p: vec3f, cells: Serving) -> f32 {
+    return reach_weight(cell, p, cells.nearest) * cells.norm;
+}
+
+// What all tiles of a cell have in common, fetched once: see WaveCell.
+struct Plane { cell: u32, axis_x: vec3f, axis_y: vec3f, cos_lat: f32, turn: f32, polar_north: vec2f, wind: vec2f, key: u32 }
+
+fn plane_of(cell: u32) -> Plane {
+    return Plane(cell, wave_cells[cell].axis_x, wave_cells[cell].axis_y, wave_cells[cell].cos_lat, wave_cells[cell].turn,
+        wave_cells[cell].polar_north, wave_cells[cell].wind, wave_cells[cell].key);
 }
 
 // A point in a cell's plane, metres about the eye.
-fn in_plane(node: u32, p: vec3f) -> vec2f {
-    return vec2f(dot(p, nodes[node].axis_x), dot(p, nodes[node].axis_y));
+fn in_plane(plane: Plane, p: vec3f) -> vec2f {
+    return vec2f(dot(p, plane.axis_x), dot(p, plane.axis_y));
 }
 
 // The triangle of a lattice around a point.
@@ -51,9 +69,9 @@ struct Triangle {
     order: vec3u,              // which vertices those are
 }
 
-// `q` in the plane of cell `node`, metres about the eye.
-fn triangle_around(node: u32, tile: u32, spacing: Metres, q: vec2f) -> Triangle {
-    let anchor = nodes[node].anchors[tile];
+// `q` in the cell's plane, metres about the eye.
+fn triangle_around(plane: Plane, tile: u32, spacing: Metres, q: vec2f) -> Triangle {
+    let anchor = wave_cells[plane.cell].anchors[tile];
     let r = anchor.eye + q;
     let v = r.y / (ROW * spacing);
     let u = r.x / spacing - 0.5 * v;
@@ -72,12 +90,12 @@ fn triangle_around(node: u32, tile: u32, spacing: Metres, q: vec2f) -> Triangle 
 }
 
 // North at a place of a cell's plane, metres from its centre; a unit vector.
-fn north_at(node: u32, place: vec2f) -> vec2f {
-    let v = vec2f(-place.x * nodes[node].turn, nodes[node].cos_lat - place.y * nodes[node].turn);
+fn north_at(plane: Plane, place: vec2f) -> vec2f {
+    let v = vec2f(-place.x * plane.turn, plane.cos_lat - place.y * plane.turn);
     let from_pole = length(v);
     var north = v / max(from_pole, 1e-9);
     if from_pole < POLAR_REACH {
-        let polar = nodes[node].polar_north;
+        let polar = plane.polar_north;
         north = mix(polar, north, smoothstep(0.0, POLAR_REACH, from_pole));
         let size = length(north);
         if size < 1e-3 { return polar; }
@@ -95,23 +113,23 @@ struct Placement {
 }
 
 // The k-th of the triangle's vertices by weight.
-fn placement(node: u32, tile: u32, spacing: Metres, patch_length: Metres, triangle: Triangle, k: u32) -> Placement {
+fn placement(plane: Plane, tile: u32, spacing: Metres, patch_length: Metres, triangle: Triangle, k: u32) -> Placement {
     let which = triangle.order[k];
     let one = vec2i(i32(which == 1u), i32(which == 2u));
     let step = select(one, vec2i(1) - one, triangle.down);
     let vertex = triangle.corner + step;
     let arm = triangle.arm - spacing * vec2f(f32(step.x) + 0.5 * f32(step.y), ROW * f32(step.y));
     let at = vec2f(vertex);
-    let north = north_at(node, spacing * vec2f(at.x + 0.5 * at.y, ROW * at.y));
+    let north = north_at(plane, spacing * vec2f(at.x + 0.5 * at.y, ROW * at.y));
     // Turned so that north is y. The difference from the arm itself is small but near a pole, and so is its error.
     let less = select(north.y - 1.0, -north.x * north.x / (1.0 + north.y), north.y > 0.0);
     let level = arm + vec2f(less * arm.x - north.x * arm.y, north.x * arm.x + less * arm.y);
-    let wind = nodes[node].wind;
+    let wind = plane.wind;
     let along = vec2f(-wind.x * level.x - wind.y * level.y, wind.y * level.x - wind.x * level.y);
-    let bits = hash(vec3u(bitcast<vec2u>(vertex), nodes[node].key + tile * 0x9E3779B9u));
+    let bits = hash(vec3u(bitcast<vec2u>(vertex), plane.key + tile * 0x9E3779B9u));
     // About zero, so that the sum is rounded least.
     let offset = vec2f(f32(bits >> 16u), f32(bits & 0xFFFFu)) / 65536.0 - 0.5;
-    let plane = mat2x2f(nodes[node].axis_x.xy, nodes[node].axis_y.xy);
+    let axes = mat2x2f(plane.axis_x.xy, plane.axis_y.xy);
     let east = vec2f(north.y, -north.x);
-    return Placement(along / patch_length + offset, plane * (-wind.x * east - wind.y * north), plane * (wind.y * east - wind.x * north));
+    return Placement(along / patch_length + offset, axes * (-wind.x * east - wind.y * north), axes * (wind.y * east - wind.x * north));
 }

@@ -10,7 +10,7 @@ const LACE_RAMP: f32 = 0.4;
 
 // Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {
-    return in_plane(0u, p);
+    return in_plane(plane_of(0u), p);
 }
 
 // Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for.
@@ -53,13 +53,15 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
     var share = 0.0;
     var first = 0u;
     while first + 1u < FOAM_LEVELS && coarser_than(frame.foam_levels[first].side, footprint) <= 0.0 { first++; }
-    for (var level = first; level < FOAM_LEVELS && open > 0.0; level++) {
+    var level = first;
+    loop {
         let square = frame.foam_levels[level];
         let reach = max(abs(at.x), abs(at.y)) / (square.side * f32(FOAM_TEXELS / 2));
         let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(square.side, footprint);
-        if weight <= 0.0 { continue; }
-        share += weight * foam_between(square.texel, square.fraction + at / square.side, level);
+        if weight > 0.0 { share += weight * foam_between(square.texel, square.fraction + at / square.side, level); }
         open -= weight;
+        level++;
+        if level == FOAM_LEVELS || open <= 0.0 { break; }
     }
     return mix(beyond, share + open * beyond, shown);
 }
@@ -103,7 +105,7 @@ fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
     if share < 0.003 || blurred >= 1.0 { return share; }
     let side = frame.foam_levels[0].side;
     // Flecks are longer across the wind, as crests are.
-    let wind = nodes[0].wind;
+    let wind = wave_cells[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, 0.5 * (wind.y * at.x - wind.x * at.y));
     let texels = frame.lace_fraction + along / side;
     let scale = clamp(log2(5.0 * footprint / side), -3.0, 6.0);

@@ -10,12 +10,12 @@ const FOAM_TEXELS: i32 = 256;     // along a side of a square of the foam map
 
 const TILES = 5u;              // that have a lattice: the cascades, then the Perlin tile
 
-const MAX_NODES = 24u;
+const MAX_CELLS = 24u;
 const NEAR: Metres = 0.1;      // reversed depth = NEAR / (distance along the view axis), no far plane
 
 #import frame_memory
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<uniform> nodes: array<WaveNode, MAX_NODES>;
+@group(0) @binding(1) var<uniform> wave_cells: array<WaveCell, MAX_CELLS>;
 @group(0) @binding(2) var clamped: sampler;
 @group(0) @binding(3) var repeated: sampler;

@@ -2,8 +2,11 @@
 // raised above the highest.
 #import ellipsoid
 
-// Share of the grid below the lower edge.
-fn low_rim() -> f32 { return select(0.02, 0.35, frame.rim_reach > 0.0); }
+const LOW_RIM = vec2f(0.02, 0.35);   // share of the grid below the lower edge, in calm water and among waves that reach into the screen
+const EDGE: f32 = 1.02;              // the even part of the grid reaches this far, in device units
+const EDGE_ABOVE: f32 = 0.03;        // and this much farther above
+
+fn low_rim() -> f32 { return select(LOW_RIM.x, LOW_RIM.y, frame.rim_reach > 0.0); }
 
 // Height of a strip of cells that stands on the horizon, and of the rows over it that lead back down, in cells.
 const STRIP_ROWS = 6.0;
@@ -39,7 +42,6 @@ fn projected(device: vec2f) -> vec3f {
     return tangent * vec3f(along * direction.xy / level, strip - dip) + rise;
 }
 
-const EDGE = 1.02;             // the even part of the grid reaches this far, in device units
 const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
 const NEAREST: Metres = 0.7;
 
@@ -50,7 +52,7 @@ fn rest_position(grid: vec2f) -> vec3f {
     let y = 0.5 * (grid.y + 1.0);
     let below = clamp(1.0 - y / low_rim(), 0.0, 1.0);
     let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
-    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + 0.03, max(y - low_rim(), 0.0) / (1.0 - low_rim())));
+    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + EDGE_ABOVE, max(y - low_rim(), 0.0) / (1.0 - low_rim())));
     let rest = projected(device);
     if reach == 0.0 { return rest; }
     let right = normalize(frame.ray_right.xy);

@@ -1,4 +1,7 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
+//
+// Its loops run at least once and end at their foot, by a `break`: where many lanes share an instruction, as on any processor that stands in
+// for a graphics card, a loop that is tested at its head runs its body once more with nobody in it, and nested ones do so each time.
 #import domain
 
 // displacements: (Dx, Dy, height, 0); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, 0);
@@ -16,8 +19,8 @@ fn mix_weights(distance: Metres) -> vec2f {
 }
 
 // A cascade's tile as a vertex lays it: sample n of it stands at n / N of its length, a texel's centre at (n + 1/2) / N.
-fn cascade_placement(node: u32, cascade: u32, triangle: Triangle, k: u32, texels: f32) -> Placement {
-    var found = placement(node, cascade, frame.spacings[cascade], frame.patches[cascade], triangle, k);
+fn cascade_placement(plane: Plane, cascade: u32, triangle: Triangle, k: u32, texels: f32) -> Placement {
+    var found = placement(plane, cascade, frame.spacings[cascade], frame.patches[cascade], triangle, k);
     found.at += 0.5 / texels;
     return found;
 }
@@ -63,36 +66,49 @@ fn served(triangle: Triangle, whole: bool) -> Triangle {
 fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     if !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
-    let cells = serving(p, frame.node_count);
+    let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(displacements).x);
     var sum = vec3f(0.0);
     let shown = shown_cascades(footprint);
-    for (var left = cells.cells; left != 0u; left &= left - 1u) {
-        let node = firstTrailingBit(left);
-        let share = cell_weight(node, p, cells);
-        let q = in_plane(node, p);
-        for (var c = 0u; c < shown.all && weights.x > 0.0; c++) {
+    var left = cells.cells;
+    loop {
+        let cell = firstTrailingBit(left);
+        let share = cell_weight(cell, p, cells);
+        let plane = plane_of(cell);
+        let q = in_plane(plane, p);
+        var c = 0u;
+        if shown.all > 0u && weights.x > 0.0 { loop {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
             let lod = mip_for(footprint, length, texels);
-            let triangle = served(triangle_around(node, c, frame.spacings[c], q), c < shown.clear);
-            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+            let triangle = served(triangle_around(plane, c, frame.spacings[c], q), c < shown.clear);
+            var k = 0u;
+            loop {
                 let w = share * triangle.weights[k] * weights.x * fade;
-                let here = cascade_placement(node, c, triangle, k, texels);
+                let here = cascade_placement(plane, c, triangle, k, texels);
                 let own = w * textureSampleLevel(displacements, repeated, here.at, c, lod).xyz;
                 sum += vec3f(frame.chop * (own.x * here.axis_x + own.y * here.axis_y), own.z);
+                k++;
+                if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
-        }
+            c++;
+            if c == shown.all { break; }
+        } }
         let fade = weights.y * resolvable(footprint, frame.perlin_patch);
         if fade > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
-            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+            let triangle = triangle_around(plane, PERLIN_TILE, frame.perlin_spacing, q);
+            var k = 0u;
+            loop {
                 let w = share * triangle.weights[k] * fade;
-                let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
+                let here = placement(plane, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
                 sum.z += w * textureSampleLevel(perlin, repeated, here.at, lod).x;
+                k++;
+                if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
         }
+        left &= left - 1u;
+        if left == 0u { break; }
     }
     // Energies, and so the mean level, go with the squares of the weights.
     sum.z -= weights.x * weights.x * frame.chop_level;
@@ -125,7 +141,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
     if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
-    let cells = serving(p, frame.node_count);
+    let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
     var gradient = vec3f(0.0);    // of the chop, in east-north axes
@@ -135,52 +151,57 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
     let shown = shown_cascades(footprint);
     for (var c = shown.all; c < frame.cascade_count; c++) { rough += near * cascade_slopes(c); }
-    for (var left = cells.cells; left != 0u; left &= left - 1u) {
-        let node = firstTrailingBit(left);
-        let share = cell_weight(node, p, cells);
-        let q = in_plane(node, p);
-        for (var c = shown.clear; c < shown.all && weights.x > 0.0; c++) {
+    var left = cells.cells;
+    loop {
+        let cell = firstTrailingBit(left);
+        let share = cell_weight(cell, p, cells);
+        let plane = plane_of(cell);
+        let q = in_plane(plane, p);
+        var c = 0u;
+        if shown.all > 0u && weights.x > 0.0 { loop {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
-            let w = share * weights.x;
-            let triangle = triangle_around(node, c, frame.spacings[c], q);
-            let here = cascade_placement(node, c, triangle, 0u, texels);
-            let means = textureSampleLevel(slopes, repeated, here.at, c, mip_for(footprint, length, texels));
-            let seen = fade * means.xy;
-            slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
-            rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
-        }
-        for (var c = 0u; c < shown.clear && weights.x > 0.0; c++) {
-            let length = frame.patches[c];
             let lod = mip_for(footprint, length, texels);
-            let triangle = triangle_around(node, c, frame.spacings[c], q);
-            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+            let triangle = served(triangle_around(plane, c, frame.spacings[c], q), c < shown.clear);
+            var k = 0u;
+            loop {
                 let w = share * triangle.weights[k] * weights.x;
-                let here = cascade_placement(node, c, triangle, k, texels);
+                let here = cascade_placement(plane, c, triangle, k, texels);
                 let means = textureSampleLevel(slopes, repeated, here.at, c, lod);
-                slope += w * (means.x * here.axis_x + means.y * here.axis_y);
-                rough += w * w * max(means.zw - means.xy * means.xy, vec2f(0.0));
-                if frame.chop == 0.0 { continue; }
-                let stretch = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
-                gradient += turned(w * frame.chop * stretch, here.axis_x, here.axis_y);
+                let seen = fade * means.xy;
+                slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
+                rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
+                if c < shown.clear && frame.chop > 0.0 {
+                    let stretch = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
+                    gradient += turned(w * frame.chop * stretch, here.axis_x, here.axis_y);
+                }
+                k++;
+                if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
-        }
+            c++;
+            if c == shown.all { break; }
+        } }
         if weights.y > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             let fade = resolvable(footprint, frame.perlin_patch);
             let own = frame.perlin_slopes.zw;
-            let triangle = triangle_around(node, PERLIN_TILE, frame.perlin_spacing, q);
-            for (var k = 0u; k < 3u && triangle.weights[k] > 0.0; k++) {
+            let triangle = triangle_around(plane, PERLIN_TILE, frame.perlin_spacing, q);
+            var k = 0u;
+            loop {
                 let w = share * triangle.weights[k] * weights.y;
-                let here = placement(node, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
+                let here = placement(plane, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
                 let noise = textureSampleLevel(perlin, repeated, here.at, lod);
                 let seen = fade * noise.yz;
                 slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
                 // The tile holds the sum of both axes' squares; its own slopes say how they share it.
                 let total = mix(own.x + own.y, noise.w, fade);
                 rough += w * w * max(total - dot(seen, seen), 0.0) * own / max(own.x + own.y, 1e-9);
+                k++;
+                if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
         }
+        left &= left - 1u;
+        if left == 0u { break; }
     }
     // slope = (I + grad D)^-T grad eta, so that the chop steepens the crests.
     let jxx = 1.0 + gradient.x;

@@ -4,7 +4,7 @@
 
 use std::collections::HashSet;
 
-use crate::scene::frame::uniform::{self, FoamLevel, FrameUniform, WaveAnchor, WaveNode};
+use crate::scene::frame::uniform::{self, FoamLevel, FrameUniform, WaveAnchor, WaveCell};
 
 /// Every shader library by name; `frame_memory` is declared in Rust.
 pub const LIBRARY: &[(&str, &str)] = &[
@@ -59,7 +59,7 @@ fn unrolled(line: &str) -> Option<(usize, &str)> {
 
 /// The numbers and structs that Rust shares with the shaders.
 fn frame_memory() -> String {
-    [&uniform::shared_constants(), FoamLevel::WGSL, WaveAnchor::WGSL, WaveNode::WGSL, FrameUniform::WGSL].join("\n")
+    [&uniform::shared_constants(), FoamLevel::WGSL, WaveAnchor::WGSL, WaveCell::WGSL, FrameUniform::WGSL].join("\n")
 }
 
 fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {

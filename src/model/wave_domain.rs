@@ -37,8 +37,8 @@ use super::waves::CASCADES;
 /// Cells along the side of a face.
 pub const CELLS: i32 = 128;
 
-/// Cells that a frame can carry; equals `MAX_NODES` in `shaders/lib/frame.wgsl`.
-pub const MAX_NODES: usize = 24;
+/// Cells that a frame can carry; equals `MAX_CELLS` in `shaders/lib/frame.wgsl`.
+pub const MAX_CELLS: usize = 24;
 
 /// A cell serves this much farther than the nearest one, metres; equals `BLEND_WIDTH` in `shaders/lib/domain.wgsl`.
 pub const BLEND_WIDTH_M: f64 = 9_000.0;
@@ -115,7 +115,7 @@ fn angles(face: i32, n: DVec3) -> Option<(f64, f64)> {
     (out * side > 0.3).then(|| ((x / (out * side)).atan(), (y / (out * side)).atan()))
 }
 
-/// The cells around a place, nearest first: at most [`MAX_NODES`].
+/// The cells around a place, nearest first: at most [`MAX_CELLS`].
 pub fn cells_near(lat: f64, lon: f64) -> Vec<Cell> {
     let normal = earth::normal(lat, lon);
     let foot = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
@@ -136,7 +136,7 @@ pub fn cells_near(lat: f64, lon: f64) -> Vec<Cell> {
         }
     }
     cells.sort_by(|p, q| p.centre.distance_squared(foot).total_cmp(&q.centre.distance_squared(foot)));
-    cells.truncate(MAX_NODES);
+    cells.truncate(MAX_CELLS);
     cells
 }
 

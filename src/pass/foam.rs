@@ -21,8 +21,10 @@ pub fn source() -> String {
 
 /// The pass and its two maps, of which one is read while the other is written.
 pub struct Foam {
-    pipeline: Compute,
+    /// Of steps in which time passes, and of those that only follow the eye.
+    pipelines: [Compute; 2],
     step: wgpu::Buffer,
+    is_due: bool,
     /// `groups[i]` writes the other map than `maps[i]`.
     groups: [wgpu::BindGroup; 2],
     /// The maps, for bind group 1.
@@ -37,7 +39,7 @@ impl Foam {
     pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, surface: &wgpu::BindGroupLayout) -> Self {
         let binds = [Bind::Uniform, Bind::Write(FORMAT, wgpu::TextureViewDimension::D2)];
         let layout = gpu.layout("foam", wgpu::ShaderStages::COMPUTE, &binds);
-        let [pipeline] = gpu.compute("foam", &source(), &[frame, surface, &layout], ["advance"]);
+        let pipelines = gpu.compute("foam", &source(), &[frame, surface, &layout], ["advance", "follow"]);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let step = gpu.empty_buffer("foam step", usage, size_of::<FoamStep>() as u64);
         let shape = Shape::picture(TEXELS as u32, TEXELS as u32);
@@ -47,7 +49,7 @@ impl Foam {
         let groups = [1, 0].map(|to: usize| {
             gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
         });
-        Self { pipeline, step, groups, maps, textures, current: 0 }
+        Self { pipelines, step, is_due: false, groups, maps, textures, current: 0 }
     }
 
     /// Which of [`Foam::maps`] is the present one.
@@ -56,13 +58,14 @@ impl Foam {
     }
 
     /// Sets the step that the next [`Foam::dispatch`] makes.
-    pub fn prepare(&self, gpu: &Gpu, step: &FoamStep) {
+    pub fn prepare(&mut self, gpu: &Gpu, step: &FoamStep) {
+        self.is_due = step.due != 0;
         gpu.queue.write_buffer(&self.step, 0, bytemuck::bytes_of(step));
     }
 
     /// One dispatch; `surface` must hold the present map. Afterwards the other map is the present one.
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(&self.pipelines[usize::from(!self.is_due)]);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         pass.set_bind_group(2, &self.groups[self.current], &[]);

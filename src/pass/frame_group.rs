@@ -2,8 +2,8 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
-use crate::model::wave_domain::MAX_NODES;
-use crate::scene::frame::uniform::WaveNode;
+use crate::model::wave_domain::MAX_CELLS;
+use crate::scene::frame::uniform::WaveCell;
 use crate::scene::frame::{Frame, FrameUniform};
 
 /// The group, its layout, and the buffers behind it.
@@ -17,7 +17,7 @@ pub struct FrameGroup {
     /// The group of [`FrameGroup::block_layout`].
     pub block_group: wgpu::BindGroup,
     uniform: wgpu::Buffer,
-    nodes: wgpu::Buffer,
+    wave_cells: wgpu::Buffer,
 }
 
 impl FrameGroup {
@@ -39,7 +39,8 @@ impl FrameGroup {
         let uniform = gpu.empty_buffer("frame", B::UNIFORM | B::COPY_DST, size_of::<FrameUniform>() as u64);
         let block_layout = gpu.layout("frame block", stages, &[Bind::Uniform]);
         let block_group = gpu.bind("frame block", &block_layout, &[uniform.as_entire_binding()]);
-        let nodes = gpu.empty_buffer("nodes", B::UNIFORM | B::COPY_DST, (size_of::<WaveNode>() * MAX_NODES) as u64);
+        let wave_cells =
+            gpu.empty_buffer("wave_cells", B::UNIFORM | B::COPY_DST, (size_of::<WaveCell>() * MAX_CELLS) as u64);
         let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
         let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
         let group = gpu.bind(
@@ -47,7 +48,7 @@ impl FrameGroup {
             &layout,
             &[
                 uniform.as_entire_binding(),
-                nodes.as_entire_binding(),
+                wave_cells.as_entire_binding(),
                 wgpu::BindingResource::Sampler(&clamped),
                 wgpu::BindingResource::Sampler(&repeated),
                 wgpu::BindingResource::TextureView(&atlases[0]),
@@ -55,7 +56,7 @@ impl FrameGroup {
                 pages.as_entire_binding(),
             ],
         );
-        Self { layout, group, block_layout, block_group, uniform, nodes }
+        Self { layout, group, block_layout, block_group, uniform, wave_cells }
     }
 
     /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
@@ -70,6 +71,6 @@ impl FrameGroup {
             ..frame.uniform
         };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
-        gpu.queue.write_buffer(&self.nodes, 0, bytemuck::cast_slice(&frame.nodes));
+        gpu.queue.write_buffer(&self.wave_cells, 0, bytemuck::cast_slice(&frame.wave_cells));
     }
 }

@@ -59,10 +59,12 @@ pub fn grid_cells(size: [u32; 2], cell_pixels: u32) -> [u32; 2] {
     size.map(|pixels| pixels.div_ceil(cell_pixels).max(16))
 }
 
-/// Share of the grid below the lower edge, and the even part's reach beyond the edges: `low_rim` and `EDGE` in
-/// `shaders/lib/projected_grid.wgsl`.
-const LOW_RIM: [f32; 2] = [0.02, 0.35];
-const EDGE: f32 = 1.02;
+/// Share of the grid below the lower edge, in calm water and among waves that reach into the screen. As `shaders/lib/projected_grid.wgsl`.
+pub const LOW_RIM: [f32; 2] = [0.02, 0.35];
+/// How far the even part of the grid reaches, in device units, and how much farther above.
+pub const EDGE: f32 = 1.02;
+/// See [`EDGE`].
+pub const EDGE_ABOVE: f32 = 0.03;
 /// Rows above the horizon that are drawn, in cells: the strip on it and the way back down (`STRIP_ROWS`), and as many again for the
 /// ellipsoid's flattening and for the 16 pixels beyond the limb.
 const ROWS_ABOVE: f32 = 12.0;
@@ -79,7 +81,7 @@ pub fn rows_to_draw(u: &FrameUniform, rows: u32) -> u32 {
     let least = (ROWS_ABOVE * 1.05 * u.cell_pixels * u.pixel_angle / (1.0 - low_rim) + 0.004 * dip.min(1.0)) - dip;
     let above = |row: &u32| {
         let y = *row as f32 / rows as f32;
-        let device = -EDGE + (2.0 * EDGE + 0.03) * ((y - low_rim) / (1.0 - low_rim)).max(0.0);
+        let device = -EDGE + (2.0 * EDGE + EDGE_ABOVE) * ((y - low_rim) / (1.0 - low_rim)).max(0.0);
         let elevation = |x: f32| (u.ray_forward + x * u.ray_right + device * u.ray_up).normalize().z.asin();
         y > low_rim && elevation(0.0).min(elevation(EDGE)).min(elevation(-EDGE)) > least
     };

@@ -99,7 +99,7 @@ impl Comparison {
     /// Of every ray: the tables' radiance, their transmittance, the steps' transmittance, the steps' radiance.
     fn run(&mut self, frame: &Frame, rays: &[Ray]) -> [Vec<[f32; 4]>; 4] {
         let uniform = self.gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let group = frame_group(&self.gpu, &self.layouts[0], &uniform, &frame.nodes);
+        let group = frame_group(&self.gpu, &self.layouts[0], &uniform, &frame.wave_cells);
         self.view.prepare(&frame.uniform);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {

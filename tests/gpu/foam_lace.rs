@@ -36,7 +36,8 @@ fn lace_covers_its_share_between_any_two_of_its_octaves() {
     let frame = Frame::new(&Settings::default(), &Camera::from_degrees(10.0, -30.0, 10.0, 0.0, 0.0), 1.7e9, [64; 2]);
     let layouts = [kernel::frame_layout(&gpu), gpu.layout("unused", wgpu::ShaderStages::COMPUTE, &[])];
     let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-    let groups = [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.nodes), gpu.bind("unused", &layouts[1], &[])];
+    let groups =
+        [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), gpu.bind("unused", &layouts[1], &[])];
     let lace = Kernel::<1>::new(&gpu, &shader::composed(KERNEL, ""), "lace", &layouts.each_ref());
     // Over two kilometres: cells of the noise are 6 m at most, so that nearly all points are independent.
     let places: Vec<[f32; 2]> = (0..POINTS)

@@ -70,7 +70,7 @@ impl Sea {
         let gpu = &self.gpu;
         let foam = Foam::new(gpu, &self.layouts[0], &self.layouts[1]);
         let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(uniform));
-        let frame = kernel::frame_group(gpu, &self.layouts[0], &uniform, &self.frame.nodes);
+        let frame = kernel::frame_group(gpu, &self.layouts[0], &uniform, &self.frame.wave_cells);
         let surfaces = foam.maps.each_ref().map(|map| {
             let waves = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
             // No noise is read: its place is taken by the map itself.

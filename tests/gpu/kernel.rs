@@ -3,7 +3,7 @@
 use bytemuck::Pod;
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::pipeline::Bind;
-use ocean_globe::scene::frame::uniform::WaveNode;
+use ocean_globe::scene::frame::uniform::WaveCell;
 
 /// Threads of a workgroup, as every kernel declares.
 const THREADS: usize = 64;
@@ -62,9 +62,9 @@ pub fn frame_group(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     uniform: &wgpu::Buffer,
-    nodes: &[WaveNode],
+    wave_cells: &[WaveCell],
 ) -> wgpu::BindGroup {
-    let nodes = gpu.buffer("nodes", wgpu::BufferUsages::UNIFORM, bytemuck::cast_slice(nodes));
+    let wave_cells = gpu.buffer("wave_cells", wgpu::BufferUsages::UNIFORM, bytemuck::cast_slice(wave_cells));
     let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
     let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
     gpu.bind(
@@ -72,7 +72,7 @@ pub fn frame_group(
         layout,
         &[
             uniform.as_entire_binding(),
-            nodes.as_entire_binding(),
+            wave_cells.as_entire_binding(),
             wgpu::BindingResource::Sampler(&clamped),
             wgpu::BindingResource::Sampler(&repeated),
         ],

@@ -100,7 +100,7 @@ macro_rules! assert_mirror {
 fn structs_have_the_same_members_at_the_same_places() {
     for (name, members, size) in [
         ("Frame", uniform::FrameUniform::MEMBERS, size_of::<uniform::FrameUniform>()),
-        ("WaveNode", uniform::WaveNode::MEMBERS, size_of::<uniform::WaveNode>()),
+        ("WaveCell", uniform::WaveCell::MEMBERS, size_of::<uniform::WaveCell>()),
         ("WaveAnchor", uniform::WaveAnchor::MEMBERS, size_of::<uniform::WaveAnchor>()),
         ("FoamLevel", uniform::FoamLevel::MEMBERS, size_of::<uniform::FoamLevel>()),
     ] {
@@ -113,7 +113,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         foam::source(),
         "FoamStep",
         foam_history::FoamStep,
-        [previous, grow, keep, empty, cells, unused_a, unused_b]
+        [previous, grow, keep, empty, cells, due, unused]
     );
     let block = [ocean::source(Look::default()), bisect::source()];
     for source in block {
@@ -204,13 +204,16 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
     let land = land::source();
-    assert_eq!(constant(&ocean, "MAX_NODES"), wave_domain::MAX_NODES as f64);
+    assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "TILES"), wave_domain::TILES as f64);
     assert_eq!(constant(&ocean, "PERLIN_TILE"), wave_domain::PERLIN_TILE as f64);
     assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
     assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
     assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
+    assert_eq!(constants(&ocean, "LOW_RIM"), ocean::LOW_RIM.map(f64::from));
+    assert_eq!(constant(&ocean, "EDGE") as f32, ocean::EDGE);
+    assert_eq!(constant(&ocean, "EDGE_ABOVE") as f32, ocean::EDGE_ABOVE);
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), streaming::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), streaming::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));

@@ -104,7 +104,7 @@ fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
         }
         println!(
             "{lat},{lon}: {} cells, height within {:.2} cm, normal {worst_deg:.3} deg, inverted to {:.2} cm, {folded} folded",
-            frame.uniform.node_count,
+            frame.uniform.wave_cell_count,
             100.0 * worst_m,
             100.0 * worst_landing
         );

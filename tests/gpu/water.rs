@@ -29,7 +29,8 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     let place = places[id.x];
     let p = vec3f(place.xy, -frame.eye_altitude);
     let slopes = slopes_at(p, place.z, place.w);
-    let placed = placement(0u, 0u, frame.spacings.x, frame.patches.x, triangle_around(0u, 0u, frame.spacings.x, in_plane(0u, p)), 0u);
+    let plane = plane_of(0u);
+    let placed = placement(plane, 0u, frame.spacings.x, frame.patches.x, triangle_around(plane, 0u, frame.spacings.x, in_plane(plane, p)), 0u);
     let ax = placed.axis_x;
     let ay = placed.axis_y;
     found[2u * id.x] = vec4f(displacement_at(p, place.z, place.w).z, 0.0, 0.0, 0.0);
@@ -82,7 +83,7 @@ pub fn frame(settings: &Settings, unix_seconds: f64) -> Frame {
     frame.uniform.spacings = glam::Vec4::splat(1e9);
     frame.uniform.perlin_spacing = 1e9;
     // With the vertex at the cell's centre, all places east and north of the eye have it as the first one of their triangle.
-    frame.nodes[0].anchors.fill(WaveAnchor { vertex: [0, 0], eye: glam::Vec2::new(10_000.0, 1_000.0) });
+    frame.wave_cells[0].anchors.fill(WaveAnchor { vertex: [0, 0], eye: glam::Vec2::new(10_000.0, 1_000.0) });
     frame
 }
 
@@ -157,7 +158,7 @@ impl Water {
         let [a, b, c] = [&self.fft.displacements, &self.fft.slopes, &self.fft.stretches].map(texture::array_view);
         let views = [a, b, c, texture::view(&self.perlin.texture)];
         [
-            kernel::frame_group(gpu, &self.layouts[0], &uniform, &frame.nodes),
+            kernel::frame_group(gpu, &self.layouts[0], &uniform, &frame.wave_cells),
             gpu.bind("surface", &self.layouts[1], &views.each_ref().map(wgpu::BindingResource::TextureView)),
         ]
     }

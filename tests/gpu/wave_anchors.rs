@@ -7,9 +7,9 @@ use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::model::noise;
-use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_NODES, TILES};
+use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_CELLS, TILES};
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::frame::uniform::WaveNode;
+use ocean_globe::scene::frame::uniform::WaveCell;
 use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
@@ -23,13 +23,13 @@ struct Found { at: vec2f, weight: f32, unused: f32, vertex: vec2i, unused_i: vec
 @compute @workgroup_size(64)
 fn locate(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&points) { return; }
-    let node = u32(points[id.x].w);
+    let plane = plane_of(u32(points[id.x].w));
     for (var tile = 0u; tile < TILES; tile++) {
         let spacing = select(frame.spacings[tile & 3u], frame.perlin_spacing, tile == PERLIN_TILE);
         let patch_length = select(frame.patches[tile & 3u], frame.perlin_patch, tile == PERLIN_TILE);
-        let triangle = triangle_around(node, tile, spacing, in_plane(node, points[id.x].xyz));
+        let triangle = triangle_around(plane, tile, spacing, in_plane(plane, points[id.x].xyz));
         for (var k = 0u; k < 3u; k++) {
-            let placed = placement(node, tile, spacing, patch_length, triangle, k);
+            let placed = placement(plane, tile, spacing, patch_length, triangle, k);
             let down = select(0, 1, triangle.down);
             let which = vec2i(i32(triangle.order[k] == 1u), i32(triangle.order[k] == 2u));
             let vertex = triangle.corner + select(which, vec2i(1) - which, triangle.down);
@@ -68,17 +68,22 @@ impl Domain {
     }
 
     /// The tiles under points (local to their cell's eye, cell), three vertices of each.
-    fn locate(&self, frame: &Frame, nodes: &[WaveNode; MAX_NODES], points: &[[f32; 4]]) -> Vec<[[Found; 3]; TILES]> {
+    fn locate(
+        &self,
+        frame: &Frame,
+        wave_cells: &[WaveCell; MAX_CELLS],
+        points: &[[f32; 4]],
+    ) -> Vec<[[Found; 3]; TILES]> {
         use wgpu::BufferUsages as B;
         let gpu = &self.gpu;
         let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let nodes = gpu.buffer("nodes", B::UNIFORM, bytemuck::cast_slice(nodes));
+        let wave_cells = gpu.buffer("wave_cells", B::UNIFORM, bytemuck::cast_slice(wave_cells));
         let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(points));
         let size = (points.len() * TILES * 3 * size_of::<Found>()) as u64;
         let output = gpu.empty_buffer("found", B::STORAGE | B::COPY_SRC, size);
         let copy = gpu.empty_buffer("found", B::MAP_READ | B::COPY_DST, size);
         let groups = [
-            gpu.bind("frame", &self.layouts[0], &[uniform.as_entire_binding(), nodes.as_entire_binding()]),
+            gpu.bind("frame", &self.layouts[0], &[uniform.as_entire_binding(), wave_cells.as_entire_binding()]),
             gpu.bind("points", &self.layouts[1], &[input.as_entire_binding(), output.as_entire_binding()]),
         ];
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -301,13 +306,13 @@ fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
         let settings = Settings { beaufort: Some(beaufort), seed: 5, ..Settings::default() };
         let all: Vec<[f64; 2]> = places(count).collect();
         // Each place has a cell of its own: as many share a dispatch as a frame has room for.
-        for group in all.chunks(MAX_NODES) {
-            let mut nodes = [WaveNode::default(); MAX_NODES];
+        for group in all.chunks(MAX_CELLS) {
+            let mut wave_cells = [WaveCell::default(); MAX_CELLS];
             let (mut points, mut sights, mut frame) = (Vec::new(), Vec::new(), None);
             for (slot, [lat, lon]) in group.iter().enumerate() {
                 let camera = Camera::from_degrees(*lat, *lon, 5.0, 0.0, 0.0);
                 let here = Frame::of(&mut seas, &settings, &camera, 0.0, [64, 64]);
-                nodes[slot] = here.nodes[0];
+                wave_cells[slot] = here.wave_cells[0];
                 let turn = 2.4 * sights.len() as f64;
                 for out in [0.0, 20.0, 300.0] {
                     let local = [(out * turn.cos()) as f32, (out * turn.sin()) as f32, -5.0];
@@ -317,7 +322,7 @@ fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
                 }
                 frame = Some(here);
             }
-            for (sight, found) in sights.iter().zip(domain.locate(&frame.unwrap(), &nodes, &points)) {
+            for (sight, found) in sights.iter().zip(domain.locate(&frame.unwrap(), &wave_cells, &points)) {
                 let (error, weight) = sight.errors(&found);
                 assert!(error < 1e-3, "{:?}: {error} m", sight.camera);
                 worst = worst.max(error);
@@ -348,7 +353,7 @@ fn a_place_has_the_same_tiles_for_every_eye() {
         let frame = Frame::of(&mut seas, &settings, &near, 0.0, [64, 64]);
         // An eye has no memory: whatever was seen before, the cells have the same bits.
         let again = Frame::of(&mut seas, &settings, &near, 0.0, [64, 64]);
-        assert_eq!(bytemuck::cast_slice::<_, u8>(&frame.nodes), bytemuck::cast_slice::<_, u8>(&again.nodes));
+        assert_eq!(bytemuck::cast_slice::<_, u8>(&frame.wave_cells), bytemuck::cast_slice::<_, u8>(&again.wave_cells));
         let mut seen = |camera: Camera| {
             let frame = Frame::of(&mut seas, &settings, &camera, 0.0, [64, 64]);
             let p = foot(&camera);
@@ -357,7 +362,7 @@ fn a_place_has_the_same_tiles_for_every_eye() {
             let slot =
                 cells.iter().position(|cell| cell.address == wave_domain::cells_near(near.lat, near.lon)[0].address);
             let slot = slot.expect("the eye has the cell");
-            (patches_m(&frame), domain.locate(&frame, &frame.nodes, &[[p.x, p.y, p.z, slot as f32]])[0])
+            (patches_m(&frame), domain.locate(&frame, &frame.wave_cells, &[[p.x, p.y, p.z, slot as f32]])[0])
         };
         // Eyes 5 m above the place, 5 km above it, and 5 km beside it.
         let (patches_m, close) = seen(near);

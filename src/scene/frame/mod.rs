@@ -7,7 +7,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec4};
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
-use crate::model::wave_domain::{self, MAX_NODES};
+use crate::model::wave_domain::{self, MAX_CELLS};
 use crate::model::{sea_state, sun};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
@@ -15,12 +15,12 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
-use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveNode};
+use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 pub use uniform::{FrameUniform, NEAR_M, Output};
 
 pub mod bisection;
 pub mod uniform;
-mod wave_nodes;
+mod wave_cells;
 
 /// Everything that one call of `Renderer::render` draws.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub struct Frame {
     /// The block for the GPU.
     pub uniform: FrameUniform,
     /// The wave cells around the eye.
-    pub nodes: [WaveNode; MAX_NODES],
+    pub wave_cells: [WaveCell; MAX_CELLS],
 }
 
 /// Nearer than this the FFT alone makes the waves, metres.
@@ -80,8 +80,8 @@ impl Frame {
         set_light(&mut uniform, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
-        let (nodes, count, foam_eye) = wave_nodes::around(&uniform, settings, camera, &sea);
-        uniform.node_count = count;
+        let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
+        uniform.wave_cell_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
         let below = camera.altitude_m < 0.0
             && (camera.altitude_m < -sea.crest_m()
@@ -101,7 +101,7 @@ impl Frame {
             foam_lifetime_s,
             bisection,
             uniform,
-            nodes,
+            wave_cells,
         }
     }
 

@@ -104,7 +104,7 @@ gpu_struct! {
 gpu_struct! {
     /// One cell of the wave domain: its plane about the eye, and the tiles' lattices in it. North at (x, y) metres from its centre is
     /// along (-x turn, cos_lat - y turn).
-    pub struct WaveNode as "WaveNode" {
+    pub struct WaveCell as "WaveCell" {
         /// Its centre, local.
         origin: Vec3 = "vec3f",
         /// Cos lat.
@@ -227,8 +227,8 @@ gpu_struct! {
         deepest_pages: u32 = "u32",
         /// Padding.
         unused_c: f32 = "f32",
-        /// Node count.
-        node_count: u32 = "u32",
+        /// Wave cells that may serve what is seen.
+        wave_cell_count: u32 = "u32",
         /// Bit 0 land, 1 sea, 2 sky.
         layers: u32 = "u32",
         /// 0 the picture, else a measured layer.

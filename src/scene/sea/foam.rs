@@ -91,6 +91,12 @@ impl FoamEye {
         in_texels(DVec2::new(along, 0.5 * across) / TEXELS_M[0])
     }
 
+    /// Whether the map about both eyes holds the same texels.
+    pub fn has_same_texels(&self, other: &Self) -> bool {
+        let texels = |eye: &Self| std::array::from_fn::<_, LEVELS, _>(|level| eye.texel(level).0);
+        self.frame == other.frame && self.cells == other.cells && texels(self) == texels(other)
+    }
+
     /// Texel of the eye on a level, and how far into it the eye is, 0…1 texels.
     pub fn texel(&self, level: usize) -> ([i32; 2], [f32; 2]) {
         in_texels(self.at / TEXELS_M[level])

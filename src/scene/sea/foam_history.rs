@@ -25,8 +25,8 @@ pub struct FoamStep {
     pub keep: [f32; LEVELS],
     pub empty: u32,
     pub cells: u32,
-    pub unused_a: u32,
-    pub unused_b: u32,
+    pub due: u32,
+    pub unused: u32,
 }
 
 /// Up to when the map and each of its squares are right, and where the eye was then.
@@ -73,8 +73,9 @@ impl History {
             return Some(state.ticks);
         }
         // Saved up, unless the eye has moved on to texels that the map does not know.
-        if seconds < SHORTEST_STEP_S && (age == 0 || state.eye == *eye) {
-            return (state.eye != *eye).then_some(ticks);
+        let is_known = state.eye.has_same_texels(eye);
+        if seconds < SHORTEST_STEP_S && (age == 0 || is_known) {
+            return (!is_known).then_some(ticks);
         }
         // A picture that follows the last one late, on a slow machine, is a step all the same.
         let straight = !state.replaying && seconds <= 0.5 * lifetime_s;
@@ -92,6 +93,7 @@ impl History {
             level >= eye.finest && (!on_the_way || ticks.is_multiple_of(replay_stride(level, lifetime_s)))
         });
         let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level]) as f64 / TICKS_PER_SECOND;
+        let passes = |level: usize| last.empty || (due[level] && dt_s(level) > 0.0);
         // A square that is not due stays as it is.
         let each = |left: &dyn Fn(usize) -> f64| std::array::from_fn(|l| if due[l] { left(l) as f32 } else { 1.0 });
         let levels = std::array::from_fn(|level| if due[level] || last.empty { ticks } else { last.levels[level] });
@@ -106,6 +108,7 @@ impl History {
             keep: each(&|level| (-dt_s(level) / lifetime_s).exp()),
             empty: u32::from(last.empty),
             cells: eye.cells,
+            due: (0..LEVELS).filter(|&level| passes(level)).map(|level| 1 << level).sum(),
             ..FoamStep::default()
         }
     }

@@ -5,8 +5,8 @@
 
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
-use crate::model::wave_domain::{self, Cell, MAX_NODES, PERLIN_TILE, Plane};
-use crate::scene::frame::uniform::{FrameUniform, WaveAnchor, WaveNode};
+use crate::model::wave_domain::{self, Cell, MAX_CELLS, PERLIN_TILE, Plane};
+use crate::scene::frame::uniform::{FrameUniform, WaveAnchor, WaveCell};
 use crate::scene::sea::foam::{self, FoamEye};
 use crate::scene::settings::Settings;
 use crate::scene::view::camera::Camera;
@@ -17,7 +17,7 @@ pub fn around(
     settings: &Settings,
     camera: &Camera,
     sea: &SeaTables,
-) -> ([WaveNode; MAX_NODES], u32, FoamEye) {
+) -> ([WaveCell; MAX_CELLS], u32, FoamEye) {
     let eye = camera.eye_ecef();
     let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
     let mut cells = wave_domain::cells_near(camera.lat, camera.lon);
@@ -27,7 +27,7 @@ pub fn around(
     let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
     cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
     let patch_m = |tile: usize| if tile == PERLIN_TILE { sea.perlin.patch_m } else { sea.cascades[tile].patch_m };
-    let node = |cell: &Cell| {
+    let seen_from_eye = |cell: &Cell| {
         let plane = Plane::new(cell, sea.sea.seed, settings.wind_from());
         let eye_in_plane = plane.point(eye);
         let anchor = |tile: usize| {
@@ -35,7 +35,7 @@ pub fn around(
             let (vertex, way) = wave_domain::anchor(eye_in_plane / spacing);
             WaveAnchor { vertex, eye: (spacing * way).as_vec2() }
         };
-        WaveNode {
+        WaveCell {
             origin: (enu_from_ecef * (plane.centre - eye)).as_vec3(),
             cos_lat: plane.cos_lat as f32,
             axis_x: (enu_from_ecef * plane.axes[0]).as_vec3(),
@@ -47,9 +47,9 @@ pub fn around(
             anchors: std::array::from_fn(anchor),
         }
     };
-    let mut nodes = [WaveNode::default(); MAX_NODES];
-    for (slot, cell) in nodes.iter_mut().zip(&cells) {
-        *slot = node(cell);
+    let mut wave_cells = [WaveCell::default(); MAX_CELLS];
+    for (slot, cell) in wave_cells.iter_mut().zip(&cells) {
+        *slot = seen_from_eye(cell);
     }
     let foam_eye = cells.first().map_or_else(FoamEye::default, |cell| FoamEye {
         frame: (cell.address, settings.wind_from().to_bits()),
@@ -57,5 +57,5 @@ pub fn around(
         cells: cells.iter().filter(|cell| cell.centre.distance(foot) < nearest + foam::SERVED_M).count() as u32,
         finest: foam::finest_level((camera.altitude_m - f64::from(u.crest_height)) * f64::from(u.pixel_angle)),
     });
-    (nodes, cells.len() as u32, foam_eye)
+    (wave_cells, cells.len() as u32, foam_eye)
 }
