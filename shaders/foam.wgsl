@@ -1,6 +1,9 @@
 // Foam in time, on the squares of the foam map: born where the chop folds, then fading; see src/model/foam.rs.
 #import foam
 
+const WAVES = true;            // what lib/waves.wgsl asks for
+const NOISE = true;
+
 struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
     grow: vec4f,               // exp(-dt / growth time), by level

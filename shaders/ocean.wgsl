@@ -1,6 +1,7 @@
 // The sea: either mesh, moved by the waves along the ellipsoid's normal, shaded over what the land pass left. The water class
 // decides what is sea, never the depth buffer. Which picture it is part of is known when it is compiled (`Look` in src/pass/ocean.rs):
-// `MEASURED` where pixels report a layer, `UNDER_WATER` where the eye is in the sea.
+// `MEASURED` where pixels report a layer, `UNDER_WATER` where the eye is in the sea; and what of the sea shows at all: `WAVES` of the
+// tiles, the far sea's `NOISE`, `FOAM` as more than a share.
 #import projected_grid
 #import bisected_mesh
 #import world
@@ -168,7 +169,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
     let foam_footprint = across / pow(grazing, 0.9);
-    let foam = calmed * foam_lace(foam_share(foam_at, in.height, foam_footprint), foam_at, foam_footprint);
+    var foam = 0.0;
+    if FOAM {
+        foam = calmed * foam_lace(foam_share(foam_at, in.height, foam_footprint), foam_at, foam_footprint);
+    } else {
+        foam = calmed * share_from_afar(in.height, foam_footprint);
+    }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
         behind / max(frame.exposure, 1e-9), foam));

@@ -187,7 +187,7 @@ impl Renderer {
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
         let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
-        self.ocean.prepare(&self.gpu, mesh, Look::of(&frame.uniform));
+        self.ocean.prepare(&self.gpu, mesh, Look::of(frame));
         // Coarse tiles are far ones.
         self.land.set_tiles(&self.gpu, self.visible.iter().rev());
         self.sky_view.prepare(&frame.uniform);
@@ -223,7 +223,7 @@ impl Renderer {
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", &texture::view(&targets.radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
-                self.ocean.draw(&mut pass, &frame.uniform, frame_group, surface, self.mesh.drawn());
+                self.ocean.draw(&mut pass, frame, frame_group, surface, self.mesh.drawn());
             }
             self.backdrop.draw(&mut pass);
         }

@@ -7,6 +7,7 @@
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
 const LACE_RAMP: f32 = 0.4;
+const LACE_BLURRED: f32 = 25.0;  // no lace shows in pixels so wide, metres
 
 // Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {
@@ -19,6 +20,14 @@ fn share_beyond(height: Metres, footprint: Metres) -> f32 {
     let contrast = 0.8 * (1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)));
     let deviations = 4.0 * height / max(frame.wave_height, 1e-3);
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
+}
+
+// The share where no map is: on high water, or beyond the map.
+fn share_from_afar(height: Metres, footprint: Metres) -> f32 {
+    if frame.foam_rule == FOAM_HEIGHT {
+        return clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
+    }
+    return share_beyond(height, footprint);
 }
 
 // The map between four texels, in full precision: samplers' weights have eight bits and differ from one driver to the next, which the
@@ -42,10 +51,7 @@ fn coarser_than(side: Metres, footprint: Metres) -> f32 {
 // Share covered, 0…1, of a rest point with the water at `height`. Each square serves as far as it reaches and while its texels are
 // not much finer than the footprint; what no square serves has the share that the wind asks for.
 fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
-    if frame.foam_rule == FOAM_HEIGHT {
-        return clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
-    }
-    let beyond = share_beyond(height, footprint);
+    let beyond = share_from_afar(height, footprint);
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
     // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.
     let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
@@ -101,7 +107,7 @@ fn covered(share: f32, level: f32) -> f32 {
 // Foam tears into lace and flecks: a share covers the points where a noise lies above it, so that the mean stays the share. The
 // noise's cells are a few pixels wide, or as wide as whitecaps are.
 fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
-    let blurred = smoothstep(5.0, 25.0, footprint);
+    let blurred = smoothstep(5.0, LACE_BLURRED, footprint);
     if share < 0.003 || blurred >= 1.0 { return share; }
     let side = frame.foam_levels[0].side;
     // Flecks are longer across the wind, as crests are.

@@ -2,6 +2,8 @@
 //
 // Its loops run at least once and end at their foot, by a `break`: where many lanes share an instruction, as on any processor that stands in
 // for a graphics card, a loop that is tested at its head runs its body once more with nobody in it, and nested ones do so each time.
+//
+// Who imports this declares `WAVES` and `NOISE`: whether the wave tiles and the Perlin tile show at all.
 #import domain
 
 // displacements: (Dx, Dy, height, 0); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, 0);
@@ -64,7 +66,7 @@ fn served(triangle: Triangle, whole: bool) -> Triangle {
 
 // Displacement (east, north, up) of the rest point `p`. A tile's axes lie in the plane of its cell's centre; here the water moves level.
 fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
-    if !any_resolvable(footprint) { return vec3f(0.0); }
+    if !(WAVES || NOISE) || !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
     let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(displacements).x);
@@ -77,7 +79,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         let plane = plane_of(cell);
         let q = in_plane(plane, p);
         var c = 0u;
-        if shown.all > 0u && weights.x > 0.0 { loop {
+        if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
             let lod = mip_for(footprint, length, texels);
@@ -95,7 +97,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
             if c == shown.all { break; }
         } }
         let fade = weights.y * resolvable(footprint, frame.perlin_patch);
-        if fade > 0.0 {
+        if NOISE && fade > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             let triangle = triangle_around(plane, PERLIN_TILE, frame.perlin_spacing, q);
             var k = 0u;
@@ -140,7 +142,7 @@ fn cascade_slopes(c: u32) -> vec2f {
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
-    if !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
+    if !(WAVES || NOISE) || !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
     let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
@@ -158,7 +160,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         let plane = plane_of(cell);
         let q = in_plane(plane, p);
         var c = 0u;
-        if shown.all > 0u && weights.x > 0.0 { loop {
+        if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
             let length = frame.patches[c];
             let fade = resolvable(footprint, length);
             let lod = mip_for(footprint, length, texels);
@@ -181,7 +183,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
             c++;
             if c == shown.all { break; }
         } }
-        if weights.y > 0.0 {
+        if NOISE && weights.y > 0.0 {
             let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
             let fade = resolvable(footprint, frame.perlin_patch);
             let own = frame.perlin_slopes.zw;

@@ -1,43 +1,55 @@
 //! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left.
 
+use std::collections::HashMap;
+
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
+use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
 /// What the shader knows of a picture when it is compiled, so that no pixel pays for another kind of picture: software rasterisers
 /// run both sides of every branch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Look {
     /// Pixels report a measured layer.
     pub measured: bool,
     /// The eye is in the sea.
     pub under_water: bool,
+    /// Some of the wave tiles show.
+    pub waves: bool,
+    /// The far sea's noise shows.
+    pub noise: bool,
+    /// The foam's map or its lace show.
+    pub foam: bool,
 }
 
 impl Look {
     /// Every one.
-    pub const ALL: [Self; 4] =
-        [Self::new(false, false), Self::new(true, false), Self::new(false, true), Self::new(true, true)];
-
-    const fn new(measured: bool, under_water: bool) -> Self {
-        Self { measured, under_water }
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..32).map(|bits: u8| {
+            let [measured, under_water, waves, noise, foam] = [1, 2, 4, 8, 16].map(|bit| bits & bit != 0);
+            Self { measured, under_water, waves, noise, foam }
+        })
     }
 
     /// That of a frame.
-    pub fn of(u: &FrameUniform) -> Self {
-        Self::new(u.output != 0, u.under_water != 0)
-    }
-
-    fn index(self) -> usize {
-        usize::from(self.measured) + 2 * usize::from(self.under_water)
+    pub fn of(frame: &Frame) -> Self {
+        Self {
+            measured: frame.uniform.output != 0,
+            under_water: frame.uniform.under_water != 0,
+            waves: frame.has_waves(),
+            noise: frame.has_noise(),
+            foam: frame.has_foam(),
+        }
     }
 }
 
 /// The composed shader.
-pub fn source(Look { measured, under_water }: Look) -> String {
-    let look = format!("const MEASURED: bool = {measured};\nconst UNDER_WATER: bool = {under_water};");
+pub fn source(Look { measured, under_water, waves, noise, foam }: Look) -> String {
+    let look = [("MEASURED", measured), ("UNDER_WATER", under_water), ("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
+    let look = look.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/ocean.wgsl"), &look)
 }
 
@@ -45,8 +57,7 @@ pub fn source(Look { measured, under_water }: Look) -> String {
 pub struct Ocean {
     layouts: [wgpu::BindGroupLayout; 4],
     formats: [wgpu::TextureFormat; 2],
-    /// By mesh and look.
-    pipelines: [[Option<Drawing>; 4]; 2],
+    pipelines: HashMap<(Mesh, Look), Drawing>,
     scene: Option<wgpu::BindGroup>,
     cells: [u32; 2],
     vertices: wgpu::Buffer,
@@ -124,7 +135,7 @@ impl Ocean {
     /// Compiles what a mesh is drawn with, once: it takes a while, and most pictures need only one of them.
     pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look) {
         let Self { layouts, formats: [colour, depth], pipelines, .. } = self;
-        pipelines[mesh as usize][look.index()].get_or_insert_with(|| {
+        pipelines.entry((mesh, look)).or_insert_with(|| {
             let attributes = wgpu::vertex_attr_array![0 => Float32x2];
             let grid = wgpu::VertexBufferLayout {
                 array_stride: 8,
@@ -170,19 +181,19 @@ impl Ocean {
         [self.cells.map(|n| n + 1).iter().product(), self.index_count / 3]
     }
 
-    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `u` is the block in `frame`.
+    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `frame_group` holds the frame's block.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
-        u: &FrameUniform,
-        frame: &wgpu::BindGroup,
+        frame: &Frame,
+        frame_group: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
     ) {
         let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
-        let Some(pipeline) = &self.pipelines[mesh as usize][Look::of(u).index()] else { return };
+        let Some(pipeline) = self.pipelines.get(&(mesh, Look::of(frame))) else { return };
         pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, surface, &[]);
         pass.set_bind_group(2, &self.scene, &[]);
         if let Some((group, arguments)) = triangles {
@@ -192,6 +203,6 @@ impl Ocean {
         }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(u, self.cells[1]), 0, 0..1);
+        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1]), 0, 0..1);
     }
 }

@@ -58,7 +58,7 @@ impl Default for Foam {
 }
 
 /// How the surface of the sea is cut into triangles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Mesh {
     /// A grid on the screen projected onto the ellipsoid.
     #[default]

@@ -12,6 +12,7 @@ use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
 };
+use ocean_globe::scene::frame::LACE_BLURRED_M;
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
@@ -34,7 +35,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("sky_view.wgsl", sky_view::source()),
         ("tonemap.wgsl", tonemap::source()),
     ];
-    all.extend(Look::ALL.map(|look| ("ocean.wgsl", ocean::source(look))));
+    all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
     all.extend(sizes);
     all
 }
@@ -211,6 +212,7 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
     assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
     assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
+    assert_eq!(constant(&ocean, "LACE_BLURRED") as f32, LACE_BLURRED_M);
     assert_eq!(constants(&ocean, "LOW_RIM"), ocean::LOW_RIM.map(f64::from));
     assert_eq!(constant(&ocean, "EDGE") as f32, ocean::EDGE);
     assert_eq!(constant(&ocean, "EDGE_ABOVE") as f32, ocean::EDGE_ABOVE);

@@ -16,6 +16,8 @@ use crate::water::{NOON, Water};
 
 /// What the drawing shaders make of points at rest: displacement, then slope and Jacobian.
 const KERNEL: &str = "#import waves
+const WAVES = true;
+const NOISE = true;
 @group(2) @binding(0) var<storage, read> points: array<vec4f>;
 @group(2) @binding(1) var<storage, read_write> moved: array<vec4f>;
 @group(2) @binding(2) var<storage, read_write> sloped: array<vec4f>;

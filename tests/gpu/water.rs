@@ -21,6 +21,8 @@ use crate::kernel::{self, Kernel};
 pub const NOON: f64 = 1_795_176_000.0;
 
 const KERNEL: &str = "#import waves
+const WAVES = true;
+const NOISE = true;
 @group(2) @binding(0) var<storage, read> places: array<vec4f>;   // east and north of the eye, distance for the mix, footprint; metres
 @group(2) @binding(1) var<storage, read_write> found: array<vec4f>;
 @compute @workgroup_size(64)

@@ -51,6 +51,8 @@ pub struct Frame {
 pub const MIX_NEAR_M: f64 = 2_000.0;
 /// Farther than this the Perlin field alone does.
 pub const MIX_FAR_M: f64 = 16_000.0;
+/// Pixels so wide show no lace, metres; equals `LACE_BLURRED` in `shaders/lib/foam.wgsl`.
+pub const LACE_BLURRED_M: f32 = 25.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -125,6 +127,11 @@ impl Frame {
     /// Whether anything of the Perlin field can be seen.
     pub fn has_noise(&self) -> bool {
         self.uniform.mix_near < NEVER_M && self.resolves_waves()
+    }
+
+    /// Whether more is seen of foam than the share that the wind asks for: its map, or its lace (`foam_lace` of `shaders/lib/foam.wgsl`).
+    pub fn has_foam(&self) -> bool {
+        self.nearest_sea_m() < foam::HIGHEST_M as f32 || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
     }
 
     /// A distance that no water is nearer than, metres.
