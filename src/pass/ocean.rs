@@ -48,7 +48,8 @@ impl Look {
 
 /// The composed shader.
 pub fn source(Look { measured, under_water, waves, noise, foam }: Look) -> String {
-    let look = [("MEASURED", measured), ("UNDER_WATER", under_water), ("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
+    let look =
+        [("MEASURED", measured), ("UNDER_WATER", under_water), ("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
     let look = look.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/ocean.wgsl"), &look)
 }

@@ -131,7 +131,8 @@ impl Frame {
 
     /// Whether more is seen of foam than the share that the wind asks for: its map, or its lace (`foam_lace` of `shaders/lib/foam.wgsl`).
     pub fn has_foam(&self) -> bool {
-        self.nearest_sea_m() < foam::HIGHEST_M as f32 || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
+        self.nearest_sea_m() < foam::HIGHEST_M as f32
+            || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
     }
 
     /// A distance that no water is nearer than, metres.
