@@ -64,7 +64,7 @@ fn main() {
         let near = pixels(&counted)
             .into_iter()
             .zip(distances)
-            .filter(|(reads, [_, distance, ..])| reads[3] == MARK && f64::from(*distance) < MIX_NEAR_M);
+            .filter(|(reads, [_, distance, ..])| reads[3] == MARK && (0.0..MIX_NEAR_M).contains(&f64::from(*distance)));
         let (mut sum, mut count) = (Reads::default(), 0);
         for (pixel, _) in near {
             sum += Reads::from_pixel(pixel);
