@@ -28,10 +28,14 @@ fn view(number: i32) -> String {
     format!("view={lat:.4},{lon:.4},{:.1},{:.1},{:.1}", 2.0 * 1.5e7f64.powf(c), 360.0 * d, 180.0 * e)
 }
 
-/// Whether a pixel's ray meets the ellipsoid moved outward by `lift` metres; `None` from inside it.
-fn meets(eye: &Camera, lift: f64, pixel: DVec2, size: DVec2) -> Option<bool> {
+/// How many of nine rays, through a pixel and [`PIXELS_OFF`] around it, meet the ellipsoid moved outward by `lift` metres; `None` from
+/// inside it.
+fn meeting(eye: &Camera, lift: f64, pixel: DVec2, size: DVec2) -> Option<usize> {
     let ellipsoid = Ellipsoid { a: WGS84.a + lift, b: WGS84.b + lift };
-    (eye.altitude_m > lift).then(|| eye.unproject_onto(&ellipsoid, pixel, size).is_some())
+    let around = (0..8).map(|i| PIXELS_OFF * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 8.0));
+    let rays = std::iter::once(DVec2::ZERO).chain(around);
+    (eye.altitude_m > lift)
+        .then(|| rays.filter(|way| eye.unproject_onto(&ellipsoid, pixel + way, size).is_some()).count())
 }
 
 /// Pixels of a mesh's sea that stand in the sky, pixels of the ellipsoid far from any land that lack it, and all of its sea.
@@ -41,16 +45,15 @@ fn wrong(renderer: &mut Renderer, world: &mut World, view: &str, mesh: &str, siz
     let classes = measure(renderer, &state, size, LayerName::Class).unwrap().values;
     let eye = renderer.eye(&state, instant(&state));
     let frame = Frame::new(&state.settings, &eye, instant(&state), size);
-    let off = PIXELS_OFF * f64::from(frame.uniform.pixel_angle) * WGS84.horizon_distance(eye.altitude_m);
-    let margin = 1.5 * f64::from(frame.uniform.crest_height) + off;
+    let margin = 1.5 * f64::from(frame.uniform.crest_height);
     let (mut counts, width) = ([0; 3], size[0]);
     let size = DVec2::from(size.map(f64::from));
     for (index, class) in (0..).zip(&classes) {
         let pixel = DVec2::new(f64::from(index % width) + 0.5, f64::from(index / width) + 0.5);
         let is_sea = *class == 1.0;
-        counts[0] += usize::from(is_sea && meets(&eye, margin, pixel, size) == Some(false));
+        counts[0] += usize::from(is_sea && meeting(&eye, margin, pixel, size) == Some(0));
         counts[2] += usize::from(is_sea);
-        if !is_sea && meets(&eye, -margin, pixel, size) == Some(true) {
+        if !is_sea && meeting(&eye, -margin, pixel, size) == Some(9) {
             let at = eye.unproject(pixel, size).expect("a hit above the lower ellipsoid");
             let place = world.sample_blocking(at.lat, at.lon).unwrap();
             counts[1] +=
