@@ -1,8 +1,6 @@
 // Foam in time, on the squares of the foam map: born where the chop folds, then fading; see src/model/foam.rs.
 #import foam
-
-const WAVES = true;            // what lib/waves.wgsl asks for
-const NOISE = true;
+#import wave_tiles
 
 struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
@@ -10,7 +8,7 @@ struct FoamStep {
     keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
     cells: u32,                // wave cells that serve the map, the first of all
-    due: u32,                  // a bit for each level that time passes on
+    due: u32,                  // a bit for each square that time passes on, and whose waves ever fold; one at least where time passes
     unused: u32,
 }
 
@@ -32,24 +30,19 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     var sum = vec3f(0.0);
     var left = cells.cells;
     loop {
-        let cell = firstTrailingBit(left);
-        let share = cell_weight(cell, p, cells);
-        let plane = plane_of(cell);
-        let q = in_plane(plane, p);
+        let here = in_cell(firstTrailingBit(left), p, cells);
         // The longest tile comes first, and is always long enough.
         var c = 0u;
         loop {
-            let length = frame.patches[c];
-            let lod = mip_for(footprint, length, texels);
-            let triangle = triangle_around(plane, c, frame.spacings[c], q);
+            let tile = cascade_around(here, c, footprint, texels);
             var k = 0u;
             loop {
-                let w = share * triangle.weights[k];
-                let here = cascade_placement(plane, c, triangle, k, texels);
-                let own = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
-                sum += turned(w * own, here.axis_x, here.axis_y);
+                let w = here.share * tile.triangle.weights[k];
+                let laid = cascade_placement(here.plane, c, tile.triangle, k, texels);
+                let own = textureSampleLevel(stretches, repeated, laid.at, c, tile.lod).xyz;
+                sum += turned(w * own, laid.axis_x, laid.axis_y);
                 k++;
-                if k == 3u || triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
             }
             c++;
             if c == frame.cascade_count || frame.patches[c] < SHORTEST_TILE_TEXELS * footprint { break; }
@@ -101,9 +94,7 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
         let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
         let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
-        if square.threshold > -1e8 {
-            after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
-        }
+        after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
         left &= left - 1u;
         if left == 0u { break; }
     }

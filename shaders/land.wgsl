@@ -50,16 +50,17 @@ fn vertex(in: Tile) -> Vertex {
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
 fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
 
-// Patchiness, about 0…1: octaves from 300 km down to what pixels hold.
+// Patchiness, about 0…1: octaves from 300 km down to what pixels hold. As in lib/waves.wgsl, the loop ends at its foot.
 fn patchiness(at: vec2u, footprint: Metres) -> f32 {
     var sum = 0.5;
     var amplitude = 0.36;
-    for (var level = 7u; level < 23u; level += 2u) {
-        let cell = EARTH_TURN / exp2(f32(level));
-        let shown = 1.0 - smoothstep(0.25, 0.7, footprint / cell);
-        if shown <= 0.0 { break; }
+    var level = 7u;
+    loop {
+        let shown = 1.0 - smoothstep(0.25, 0.7, footprint * exp2(f32(level)) / EARTH_TURN);
         sum += amplitude * shown * (map_noise(at, level, level) - 0.5);
         amplitude *= 0.72;
+        level += 2u;
+        if level > 21u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
     return sum;
 }
@@ -138,8 +139,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
 
     let mu_sun = dot(frame.sun, up);
-    let sun = sun_irradiance_at(mu_sun) * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, mu_sun);
-    let ambient = sky_irradiance_at(mu_sun) * (0.6 + 0.4 * dot(normal, up));
+    let daylight = daylight_at(mu_sun);
+    let sun = daylight.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, mu_sun);
+    let ambient = daylight.sky * (0.6 + 0.4 * dot(normal, up));
     var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
     if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
     albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
@@ -147,7 +149,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var radiance = albedo / PI * (sun + ambient);
     if ground.is_lake {
         let shore = smoothstep(0.0, 60.0 + footprint, ground.lake_shore);
-        let lake = water_radiance(WaterPoint(to_eye, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0));
+        let lake = water_radiance(WaterPoint(to_eye, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0), daylight);
         radiance = mix(radiance, lake, shore);
     }
     if frame.under_water == 1u {

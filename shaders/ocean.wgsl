@@ -6,6 +6,7 @@
 #import bisected_mesh
 #import world
 #import foam
+#import waves
 #import water
 #import output
 
@@ -177,7 +178,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
-        behind / max(frame.exposure, 1e-9), foam));
+        behind / max(frame.exposure, 1e-9), foam), daylight_at(dot(frame.sun, up)));
     let air = haze(direction, distance);
     var radiance = water * air.transmittance + air.radiance;
     if limb.share < 1.0 {

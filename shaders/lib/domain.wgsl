@@ -25,8 +25,8 @@ fn serving(p: vec3f, count: u32) -> Serving {
     var end = 0u;
     loop {
         nearest = min(nearest, distance(p, wave_cells[end].origin));
-        // A hundredth covers the ellipsoid's flattening: cells are sorted by their distance from the eye's foot.
         end++;
+        // Cells are sorted by their distance from the eye's foot; 0.99 allows for the ellipsoid's flattening.
         if end >= count || 0.99 * length(wave_cells[end].origin) - way > nearest + BLEND_WIDTH { break; }
     }
     var squares = 0.0;

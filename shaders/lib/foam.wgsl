@@ -1,5 +1,5 @@
 // The foam map where it is drawn: share of the water covered by whitecaps, and their lace.
-#import waves
+#import domain
 #import hash
 
 @group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per square; see src/scene/sea/foam.rs

@@ -19,10 +19,14 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
     return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + NIGHT;
 }
 
-fn sky_irradiance_at(mu_sun: f32) -> vec3f {
+// Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky.
+struct Daylight { sun: vec3f, sky: vec3f }
+
+fn daylight_at(mu_sun: f32) -> Daylight {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
-    return textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT_IRRADIANCE;
+    let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT_IRRADIANCE;
+    return Daylight(sun_irradiance_at(mu_sun), sky);
 }
 
 fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

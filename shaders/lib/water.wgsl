@@ -24,10 +24,11 @@ struct WaterPoint {
     foam: f32,             // share covered
 }
 
-fn water_radiance(w: WaterPoint) -> vec3f {
+// `light`: the daylight at the point.
+fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let mu_sun = dot(frame.sun, w.up);
-    let sun = sun_irradiance_at(mu_sun);
-    let ambient = sky_irradiance_at(mu_sun);
+    let sun = light.sun;
+    let ambient = light.sky;
     // A facet that would face away from the eye is hidden by one that does not.
     var normal = w.normal;
     let facing = dot(normal, w.to_eye);
@@ -53,7 +54,8 @@ fn water_radiance(w: WaterPoint) -> vec3f {
 // Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.
 fn water_veil() -> vec3f {
     let mu_sun = frame.sun.z;
-    let down = sun_irradiance_at(mu_sun) * max(mu_sun, 0.0) + sky_irradiance_at(mu_sun);
+    let light = daylight_at(mu_sun);
+    let down = light.sun * max(mu_sun, 0.0) + light.sky;
     return 1.5 * DEEP_REFLECTANCE / PI * down * exp(0.25 * BED_ABSORPTION * frame.eye_altitude);
 }
 

@@ -1,67 +1,16 @@
 // The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
 //
-// Its loops run at least once and end at their foot, by a `break`: where many lanes share an instruction, as on any processor that stands in
+// Its nested loops run at least once (`serving` always finds a cell) and end at their foot, by a `break`: where many lanes share an instruction, as on any processor that stands in
 // for a graphics card, a loop that is tested at its head runs its body once more with nobody in it, and nested ones do so each time.
 //
 // Who imports this declares `WAVES` and `NOISE`: whether the wave tiles and the Perlin tile show at all.
-#import domain
-
-// displacements: (Dx, Dy, height, 0); slopes: (hx, hy, hx hx, hy hy), hx = dh/dx; stretches: (dDx/dx, dDy/dy, dDx/dy, 0);
-// one layer per cascade.
-@group(1) @binding(0) var displacements: texture_2d_array<f32>;
-@group(1) @binding(1) var slopes: texture_2d_array<f32>;
-@group(1) @binding(2) var stretches: texture_2d_array<f32>;
-@group(1) @binding(3) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, hx hx + hy hy)
+#import wave_tiles
 
 // Weights of the FFT and the Perlin field; their squares sum to one, so that the variance stays.
 fn mix_weights(distance: Metres) -> vec2f {
     let r = clamp((distance - frame.mix_near) / (frame.mix_far - frame.mix_near), 0.0, 1.0);
     let perlin_energy = r * r * (3.0 - 2.0 * r);
     return vec2f(sqrt(1.0 - perlin_energy), sqrt(perlin_energy));
-}
-
-// A cascade's tile as a vertex lays it: sample n of it stands at n / N of its length, a texel's centre at (n + 1/2) / N.
-fn cascade_placement(plane: Plane, cascade: u32, triangle: Triangle, k: u32, texels: f32) -> Placement {
-    var found = placement(plane, cascade, frame.spacings[cascade], frame.patches[cascade], triangle, k);
-    found.at += 0.5 / texels;
-    return found;
-}
-
-// Mip level at which a texel is as wide as `footprint`.
-fn mip_for(footprint: Metres, patch_length: Metres, texels: f32) -> f32 {
-    return log2(max(footprint * texels / patch_length, 1.0));
-}
-
-// Beyond a tile's coarsest useful mip nothing is left of it but its mean, zero.
-fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
-    return 1.0 - smoothstep(0.1, 0.4, footprint / patch_length);
-}
-
-// Tiles of which something is left, the longest of all first: how many, and how many whose longest waves, a sixth of the tile, are two
-// footprints or longer. Of the others neighbouring footprints share nothing: there one vertex of the lattice serves as well as three,
-// with no seam to be seen, and their chop steepens no crest that shows.
-struct Shown { all: u32, clear: u32 }
-
-fn shown_cascades(footprint: Metres) -> Shown {
-    var shown = Shown(0u, 0u);
-    for (var c = 0u; c < frame.cascade_count; c++) {
-        let tiles = footprint / frame.patches[c];
-        shown.all += u32(tiles < 0.4);
-        shown.clear += u32(tiles < 1.0 / 12.0);
-    }
-    return shown;
-}
-
-fn any_resolvable(footprint: Metres) -> bool {
-    return resolvable(footprint, max(frame.patches.x, frame.perlin_patch)) > 0.0;
-}
-
-// The triangle, or its greatest vertex alone.
-fn served(triangle: Triangle, whole: bool) -> Triangle {
-    if whole { return triangle; }
-    var one = triangle;
-    one.weights = vec3f(1.0, 0.0, 0.0);
-    return one;
 }
 
 // Displacement (east, north, up) of the rest point `p`. A tile's axes lie in the plane of its cell's centre; here the water moves level.
@@ -74,22 +23,17 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     let shown = shown_cascades(footprint);
     var left = cells.cells;
     loop {
-        let cell = firstTrailingBit(left);
-        let share = cell_weight(cell, p, cells);
-        let plane = plane_of(cell);
-        let q = in_plane(plane, p);
+        let here = in_cell(firstTrailingBit(left), p, cells);
         var c = 0u;
         if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
-            let length = frame.patches[c];
-            let fade = resolvable(footprint, length);
-            let lod = mip_for(footprint, length, texels);
-            let triangle = served(triangle_around(plane, c, frame.spacings[c], q), c < shown.clear);
+            let tile = cascade_around(here, c, footprint, texels);
+            let triangle = served(tile.triangle, c < shown.clear);
             var k = 0u;
             loop {
-                let w = share * triangle.weights[k] * weights.x * fade;
-                let here = cascade_placement(plane, c, triangle, k, texels);
-                let own = w * textureSampleLevel(displacements, repeated, here.at, c, lod).xyz;
-                sum += vec3f(frame.chop * (own.x * here.axis_x + own.y * here.axis_y), own.z);
+                let w = here.share * triangle.weights[k] * weights.x * tile.fade;
+                let laid = cascade_placement(here.plane, c, triangle, k, texels);
+                let own = w * textureSampleLevel(displacements, repeated, laid.at, c, tile.lod).xyz;
+                sum += vec3f(frame.chop * (own.x * laid.axis_x + own.y * laid.axis_y), own.z);
                 k++;
                 if k == 3u || triangle.weights[k] <= 0.0 { break; }
             }
@@ -98,15 +42,14 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         } }
         let fade = weights.y * resolvable(footprint, frame.perlin_patch);
         if NOISE && fade > 0.0 {
-            let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            let triangle = triangle_around(plane, PERLIN_TILE, frame.perlin_spacing, q);
+            let tile = perlin_around(here, footprint);
             var k = 0u;
             loop {
-                let w = share * triangle.weights[k] * fade;
-                let here = placement(plane, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
-                sum.z += w * textureSampleLevel(perlin, repeated, here.at, lod).x;
+                let w = here.share * tile.triangle.weights[k] * fade;
+                let laid = perlin_placement(here.plane, tile.triangle, k);
+                sum.z += w * textureSampleLevel(perlin, repeated, laid.at, tile.lod).x;
                 k++;
-                if k == 3u || triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
             }
         }
         left &= left - 1u;
@@ -115,14 +58,6 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     // Energies, and so the mean level, go with the squares of the weights.
     sum.z -= weights.x * weights.x * frame.chop_level;
     return sum;
-}
-
-// A symmetric tensor (xx, yy, xy) of a tile, turned to east and north; ax and ay are the tile's axes.
-fn turned(t: vec3f, ax: vec2f, ay: vec2f) -> vec3f {
-    return vec3f(
-        t.x * ax.x * ax.x + t.y * ay.x * ay.x + 2.0 * t.z * ax.x * ay.x,
-        t.x * ax.y * ax.y + t.y * ay.y * ay.y + 2.0 * t.z * ax.y * ay.y,
-        t.x * ax.x * ax.y + t.y * ay.x * ay.y + t.z * (ax.x * ay.y + ax.y * ay.x));
 }
 
 // Slopes of the surface in the local frame (x east, y north).
@@ -155,27 +90,22 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     for (var c = shown.all; c < frame.cascade_count; c++) { rough += near * cascade_slopes(c); }
     var left = cells.cells;
     loop {
-        let cell = firstTrailingBit(left);
-        let share = cell_weight(cell, p, cells);
-        let plane = plane_of(cell);
-        let q = in_plane(plane, p);
+        let here = in_cell(firstTrailingBit(left), p, cells);
         var c = 0u;
         if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
-            let length = frame.patches[c];
-            let fade = resolvable(footprint, length);
-            let lod = mip_for(footprint, length, texels);
-            let triangle = served(triangle_around(plane, c, frame.spacings[c], q), c < shown.clear);
+            let tile = cascade_around(here, c, footprint, texels);
+            let triangle = served(tile.triangle, c < shown.clear);
             var k = 0u;
             loop {
-                let w = share * triangle.weights[k] * weights.x;
-                let here = cascade_placement(plane, c, triangle, k, texels);
-                let means = textureSampleLevel(slopes, repeated, here.at, c, lod);
-                let seen = fade * means.xy;
-                slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
+                let w = here.share * triangle.weights[k] * weights.x;
+                let laid = cascade_placement(here.plane, c, triangle, k, texels);
+                let means = textureSampleLevel(slopes, repeated, laid.at, c, tile.lod);
+                let seen = tile.fade * means.xy;
+                slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
                 rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
                 if c < shown.clear && frame.chop > 0.0 {
-                    let stretch = textureSampleLevel(stretches, repeated, here.at, c, lod).xyz;
-                    gradient += turned(w * frame.chop * stretch, here.axis_x, here.axis_y);
+                    let stretch = textureSampleLevel(stretches, repeated, laid.at, c, tile.lod).xyz;
+                    gradient += turned(w * frame.chop * stretch, laid.axis_x, laid.axis_y);
                 }
                 k++;
                 if k == 3u || triangle.weights[k] <= 0.0 { break; }
@@ -184,22 +114,20 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
             if c == shown.all { break; }
         } }
         if NOISE && weights.y > 0.0 {
-            let lod = mip_for(footprint, frame.perlin_patch, f32(textureDimensions(perlin).x));
-            let fade = resolvable(footprint, frame.perlin_patch);
+            let tile = perlin_around(here, footprint);
             let own = frame.perlin_slopes.zw;
-            let triangle = triangle_around(plane, PERLIN_TILE, frame.perlin_spacing, q);
             var k = 0u;
             loop {
-                let w = share * triangle.weights[k] * weights.y;
-                let here = placement(plane, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
-                let noise = textureSampleLevel(perlin, repeated, here.at, lod);
-                let seen = fade * noise.yz;
-                slope += w * (seen.x * here.axis_x + seen.y * here.axis_y);
+                let w = here.share * tile.triangle.weights[k] * weights.y;
+                let laid = perlin_placement(here.plane, tile.triangle, k);
+                let noise = textureSampleLevel(perlin, repeated, laid.at, tile.lod);
+                let seen = tile.fade * noise.yz;
+                slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
                 // The tile holds the sum of both axes' squares; its own slopes say how they share it.
-                let total = mix(own.x + own.y, noise.w, fade);
+                let total = mix(own.x + own.y, noise.w, tile.fade);
                 rough += w * w * max(total - dot(seen, seen), 0.0) * own / max(own.x + own.y, 1e-9);
                 k++;
-                if k == 3u || triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
             }
         }
         left &= left - 1u;

@@ -36,6 +36,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("sunlight", include_str!("../../shaders/lib/sunlight.wgsl")),
     ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),
     ("water", include_str!("../../shaders/lib/water.wgsl")),
+    ("wave_tiles", include_str!("../../shaders/lib/wave_tiles.wgsl")),
     ("waves", include_str!("../../shaders/lib/waves.wgsl")),
     ("world", include_str!("../../shaders/lib/world.wgsl")),
 ];

@@ -1,6 +1,6 @@
 //! From a place on the map to the water that stands there: which tiles move it, and the inversion of their chop.
 //!
-//! All of it follows `shaders/lib/waves.wgsl`, in f64: the same cells, weights, tiles and linear interpolation between texels.
+//! All of it follows `waves.wgsl`, `wave_tiles.wgsl` and `domain.wgsl` of `shaders/lib`, in f64: the same cells, weights, tiles and linear interpolation between texels.
 
 use std::ops::AddAssign;
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::texture;
+use crate::model::foam::Fold;
 use crate::model::sea_tables::SeaTables;
 use crate::model::waves::CASCADES;
 use crate::pass::fft::{Fft, Precision};
@@ -14,7 +15,7 @@ use crate::pass::perlin::Perlin;
 use crate::scene::frame::Frame;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::Whitecaps;
-use crate::scene::sea::foam_history::History;
+use crate::scene::sea::foam_history::{FoamStep, History};
 
 /// Views of the tables of light, in the order of the bindings.
 pub(super) type Light = [wgpu::TextureView; 5];
@@ -129,7 +130,7 @@ impl Surface {
             }
             budget -= 1;
             self.replayed += self.fft.dispatches() + self.fft.stretch_mip_dispatches() + foam::DISPATCHES;
-            self.foam.prepare(gpu, &self.history.step(instant, eye, lifetime_s));
+            self.foam.prepare(gpu, &step(&mut self.history, frame, instant, lifetime_s));
             self.fft.set_time(gpu, instant);
             self.made[0] = None;
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -149,7 +150,7 @@ impl Surface {
         let lifetime_s = frame.foam_lifetime_s.filter(|_| !self.replaying);
         let due = lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s).is_some());
         if let Some(lifetime_s) = due {
-            self.foam.prepare(gpu, &self.history.step(ticks, eye, lifetime_s));
+            self.foam.prepare(gpu, &step(&mut self.history, frame, ticks, lifetime_s));
         }
         self.foam_step = due.is_some();
         let seen = [frame.has_waves(), frame.has_noise()];
@@ -193,6 +194,15 @@ impl Surface {
     pub(super) fn is_replaying(&self) -> bool {
         self.replaying
     }
+}
+
+/// The foam map's step to an instant: time passes only on squares whose waves fold at all, the others have the wind's share.
+fn step(history: &mut History, frame: &Frame, instant: u64, lifetime_s: f64) -> FoamStep {
+    let mut step = history.step(instant, &frame.foam_eye, lifetime_s);
+    for (level, _) in frame.whitecaps.folds.iter().enumerate().filter(|(_, fold)| **fold == Fold::NEVER) {
+        step.due &= !(1 << level);
+    }
+    step
 }
 
 /// Bind group 1 with either foam map.

@@ -10,8 +10,6 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import foam
-const WAVES = true;
-const NOISE = true;
 struct Asked { at: vec2f, share: f32, footprint: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<f32>;

@@ -140,7 +140,7 @@ impl Frame {
         self.uniform.eye_altitude - self.uniform.crest_height
     }
 
-    /// What `any_resolvable` of `shaders/lib/waves.wgsl` says where the water is nearest: a pixel as wide as 0.4 of the longest tile
+    /// What `any_resolvable` of `shaders/lib/wave_tiles.wgsl` says where the water is nearest: a pixel as wide as 0.4 of the longest tile
     /// shows none of it.
     fn resolves_waves(&self) -> bool {
         let longest = self.uniform.patches.x.max(self.uniform.perlin_patch);
