@@ -7,10 +7,12 @@ use crate::gpu::{Gpu, shader};
 use crate::scene::frame::FrameUniform;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Azimuths on one side of the sun, which stands for the other.
+const AZIMUTHS: u32 = 48;
 /// Azimuths × elevations of the sky.
-const SKY: [u32; 2] = [96, 80];
-/// Azimuths, with two columns for the transmittance, × elevations, two fifths of them above the horizon, × distances.
-const HAZE: [u32; 3] = [96 + 2, 48 + 32, 32];
+const SKY: [u32; 2] = [AZIMUTHS, 80];
+/// Azimuths, with two columns for the transmittance, × elevations, two fifths of them above the horizon (`haze_first_above`), × distances.
+const HAZE: [u32; 3] = [AZIMUTHS + 2, 80, 32];
 
 /// The composed shader.
 pub fn source() -> String {
