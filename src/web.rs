@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use egui_wgpu::{WgpuSetup, WgpuSetupExisting, wgpu};
 use wasm_bindgen::prelude::*;
-use web_sys::{Event, HtmlCanvasElement, Window};
+use web_sys::{HtmlCanvasElement, Window};
 
 use crate::app::clock::unix_now_s;
 use crate::app::page::Page;
@@ -90,23 +90,6 @@ async fn device() -> Result<(WgpuSetupExisting, Gpu)> {
     Ok((WgpuSetupExisting { instance, adapter, device, queue }, gpu))
 }
 
-thread_local! {
-    /// Whether the pointer's moves are kept back, and the last of them.
-    static KEEPS: Cell<bool> = const { Cell::new(false) };
-    static KEPT: RefCell<Option<Event>> = const { RefCell::new(None) };
-}
-
-/// Lets the last move that was kept back through, to those who listen above its target.
-fn let_moves_through() {
-    KEEPS.set(false);
-    if let Some(event) = KEPT.take()
-        && let Some(target) = event.target()
-    {
-        // A target that is gone needs no moves.
-        let _ = target.dispatch_event(&event);
-    }
-}
-
 /// The page around the canvas.
 struct WebPage {
     window: Window,
@@ -140,19 +123,6 @@ impl WebPage {
             }
             listener.forget();
         }
-        // Before the program's own listeners see them.
-        for event in ["mousemove", "touchmove"] {
-            let keeper = Closure::<dyn Fn(Event)>::new(|event: Event| {
-                if KEEPS.get() {
-                    event.stop_immediate_propagation();
-                    KEPT.replace(Some(event));
-                }
-            });
-            let callback = keeper.as_ref().unchecked_ref();
-            // Without it there are more frames, and nothing worse.
-            let _ = self.window.add_event_listener_with_callback_and_bool(event, callback, true);
-            keeper.forget();
-        }
     }
 }
 
@@ -179,11 +149,6 @@ impl Page for WebPage {
     fn link(&self, fragment: &str) -> String {
         let href = self.window.location().href().unwrap_or_default();
         format!("{}#{fragment}", href.split('#').next().unwrap_or_default())
-    }
-
-    fn keep_moves(&mut self) -> fn() {
-        KEEPS.set(true);
-        let_moves_through
     }
 
     fn publish(&mut self, name: &str, value: &str) {

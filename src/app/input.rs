@@ -19,6 +19,20 @@ use crate::scene::view::navigate;
 /// Points of wheel travel that change the height by a factor of e.
 const WHEEL_POINTS: f32 = 250.0;
 
+/// Time that moves of the pointer wait for a picture at most, seconds.
+const LONGEST_WAIT_S: f64 = 1.0;
+
+/// How long these events may still wait for a picture that the device has been at for `busy_s` seconds. Only moves may: of a button and of
+/// keys the time and place count when they are pressed.
+pub fn wait_s(events: &[egui::Event], busy_s: f64) -> Option<f64> {
+    use egui::{Event, TouchPhase};
+    let moves = events.iter().all(|event| {
+        let touch_moves = matches!(event, Event::Touch { phase: TouchPhase::Move, .. });
+        touch_moves || matches!(event, Event::PointerMoved(_) | Event::MouseMoved(_) | Event::MouseWheel { .. })
+    });
+    (moves && busy_s < LONGEST_WAIT_S).then_some(LONGEST_WAIT_S - busy_s)
+}
+
 /// The hands at the window in one frame.
 pub struct Hands<'a> {
     /// Where the input comes from.
@@ -140,5 +154,30 @@ impl Hands<'_> {
             }
             Keys { slide, rise, turn }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{Event, Modifiers, PointerButton, pos2};
+
+    use super::{Key, LONGEST_WAIT_S, wait_s};
+
+    #[test]
+    fn moves_wait_for_a_picture_and_nothing_else_does() {
+        let moved = Event::PointerMoved(pos2(3.0, 4.0));
+        let pressed = Event::PointerButton {
+            pos: pos2(3.0, 4.0),
+            button: PointerButton::Primary,
+            pressed: true,
+            modifiers: Modifiers::NONE,
+        };
+        let key =
+            Event::Key { key: Key::H, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
+        assert_eq!(wait_s(&[], 0.0), Some(LONGEST_WAIT_S));
+        assert_eq!(wait_s(&[moved.clone(), moved.clone()], 0.25), Some(LONGEST_WAIT_S - 0.25));
+        assert_eq!(wait_s(&[moved.clone()], LONGEST_WAIT_S), None);
+        assert_eq!(wait_s(&[moved.clone(), pressed], 0.0), None);
+        assert_eq!(wait_s(&[key, moved], 0.0), None);
     }
 }

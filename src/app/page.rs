@@ -11,12 +11,6 @@ pub trait Page {
     /// The whole link of a fragment.
     fn link(&self, fragment: &str) -> String;
 
-    /// Keeps back the pointer's moves until the function that this returns is called, then lets the last one through: where a processor
-    /// paints, each move would be a frame that takes the time of the picture that it waits for.
-    fn keep_moves(&mut self) -> fn() {
-        || {}
-    }
-
     /// Publishes a fact about the program under a name, for the page's scripts and for tests.
     fn publish(&mut self, name: &str, value: &str);
 }

@@ -5,6 +5,7 @@
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher as _};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use super::Gpu;
@@ -21,6 +22,8 @@ pub type Drawing = Arc<Lazy<wgpu::RenderPipeline>>;
 pub struct Made {
     compute: Mutex<HashMap<u64, Compute>>,
     drawing: Mutex<HashMap<u64, Drawing>>,
+    /// How many have been used, and so compiled.
+    compiled: Arc<AtomicUsize>,
 }
 
 /// The pipeline of a declaration: the one that is there, or a new one from `make`.
@@ -116,6 +119,11 @@ impl Gpu {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
     }
 
+    /// Pipelines that have been compiled so far.
+    pub fn pipelines_made(&self) -> usize {
+        self.made.compiled.load(Relaxed)
+    }
+
     fn module(&self, label: &str, source: &str) -> Arc<Lazy<wgpu::ShaderModule>> {
         let source = self.instrument.map_or_else(|| source.to_owned(), |rewrite| rewrite(label, source));
         let (device, label) = (self.device.clone(), label.to_owned());
@@ -148,8 +156,9 @@ impl Gpu {
         let layout = self.pipeline_layout(label, groups);
         entries.map(|entry| {
             let (device, module, layout) = (self.device.clone(), module.clone(), layout.clone());
-            let name = entry.to_owned();
+            let (name, compiled) = (entry.to_owned(), self.made.compiled.clone());
             once(&self.made.compute, (label, source, entry), move || {
+                compiled.fetch_add(1, Relaxed);
                 device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                     label: Some(&name),
                     layout: Some(&layout),
@@ -182,7 +191,9 @@ impl Gpu {
         // Lent attributes become owned ones, since they are needed later.
         let buffers: Vec<_> = buffers.iter().map(|b| (b.array_stride, b.step_mode, b.attributes.to_vec())).collect();
         let (device, name, entry) = (self.device.clone(), label.to_owned(), vertex.to_owned());
+        let compiled = self.made.compiled.clone();
         once(&self.made.drawing, (label, source, vertex, target, depth), move || {
+            compiled.fetch_add(1, Relaxed);
             let buffers: Vec<_> = buffers
                 .iter()
                 .map(|(array_stride, step_mode, attributes)| {
