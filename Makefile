@@ -12,7 +12,7 @@ test:   ## sets up and runs every test: native, headless GPU, Firefox and Chromi
 	@scripts/test.sh
 
 soak:   ## checks that take too long for every day
-	@cargo test --release --locked -- --ignored
+	@cargo test --release --locked --test pictures -- --ignored
 
 bench:  ## measures the waves on CPU and GPU, what a pixel of the sea reads, then what a frame costs at every named view and from five heights; tables, and JSON in target/bench
 	@cargo bench --locked --bench waves

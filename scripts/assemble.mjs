@@ -14,7 +14,8 @@ const page = readFileSync("www/index.html", "utf8")
   .replace(/<link data-trunk rel="copy-dir"[^>]*>\s*/, "")
   .replace(/<link data-trunk rel="rust"[^>]*>/, program)
   .replace('rel="css"', 'rel="stylesheet"')
-  .replaceAll("<link data-trunk ", "<link ")
+  .replace('<link data-trunk rel="stylesheet"', '<link rel="stylesheet"')
+  .replace('<link data-trunk rel="icon"', '<link rel="icon"')
   .replaceAll("<script data-trunk ", "<script ");
 if (page.includes("trunk")) throw new Error("www/index.html asks Trunk for something that scripts/assemble.mjs does not know");
 writeFileSync(join(folder, "index.html"), page);

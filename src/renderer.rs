@@ -4,7 +4,7 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
-use crate::gpu::overlay::Overlay;
+use crate::gpu::full_screen::FullScreen;
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
@@ -58,8 +58,8 @@ pub struct Renderer {
     sky: Sky,
     land: Land,
     ocean: Ocean,
-    backdrop: Overlay,
-    tonemap: Overlay,
+    backdrop: FullScreen,
+    tonemap: FullScreen,
     targets: Option<Targets>,
     moving: bool,
     clear: Option<wgpu::Color>,

@@ -1,9 +1,9 @@
 //! Floor 3: how to speak wgpu. Knows nothing of oceans.
 
 pub mod context;
+pub mod full_screen;
 pub mod mesh;
 pub mod mips;
-pub mod overlay;
 pub mod pipeline;
 pub mod readback;
 pub mod shader;

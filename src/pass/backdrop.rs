@@ -1,6 +1,6 @@
 //! Sky and land where no sea has been drawn over them: only these pixels of the scene are copied.
 
-use crate::gpu::overlay::Overlay;
+use crate::gpu::full_screen::FullScreen;
 use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
@@ -10,6 +10,6 @@ pub fn source() -> String {
 }
 
 /// The pass into formats of colour and depth, the sea's.
-pub fn pass(gpu: &Gpu, [colour, depth]: [wgpu::TextureFormat; 2]) -> Overlay {
-    Overlay::new(gpu, "backdrop", &source(), colour, Some((depth, DepthTest::Undrawn)))
+pub fn pass(gpu: &Gpu, [colour, depth]: [wgpu::TextureFormat; 2]) -> FullScreen {
+    FullScreen::new(gpu, "backdrop", &source(), colour, Some((depth, DepthTest::Undrawn)))
 }

@@ -1,6 +1,6 @@
 //! Scene radiance to display colours: the last pass, into whatever target the caller has.
 
-use crate::gpu::overlay::Overlay;
+use crate::gpu::full_screen::FullScreen;
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -9,6 +9,6 @@ pub fn source() -> String {
 }
 
 /// The pass into a target of `format`, which takes display (gamma) values.
-pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat) -> Overlay {
-    Overlay::new(gpu, "tonemap", &source(), format, None)
+pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat) -> FullScreen {
+    FullScreen::new(gpu, "tonemap", &source(), format, None)
 }

@@ -5,7 +5,7 @@ mod counting;
 
 use counting::{MARK, Reads, counting};
 use ocean_globe::gpu::Gpu;
-use ocean_globe::gpu::overlay::Overlay;
+use ocean_globe::gpu::full_screen::FullScreen;
 use ocean_globe::gpu::texture::{self, Shape};
 
 /// At column x: x + 3 texels in a loop, two in calls on the branch that is taken, and none on the one that is not.
@@ -43,7 +43,7 @@ fn a_fragment_counts_what_it_reads_through_loops_branches_and_calls() {
     let format = wgpu::TextureFormat::Rgba32Float;
     let black = gpu.texture("black", Shape::picture(8, 1), format, usage);
     let counts = gpu.texture("counts", Shape::picture(4, 1), format, usage);
-    let mut pass = Overlay::new(&gpu, "counting", &rewritten, format, None);
+    let mut pass = FullScreen::new(&gpu, "counting", &rewritten, format, None);
     pass.set_source(&gpu, &texture::view(&black));
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     {

@@ -3,6 +3,7 @@
 mod any_view;
 mod bench;
 mod flight;
+mod hidden_window;
 mod horizon;
 mod luminance;
 mod meshes;

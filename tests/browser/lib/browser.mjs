@@ -27,7 +27,7 @@ const BROWSERS = {
   "chromium without WebGPU": { browser: "chrome", executablePath: () => findBrowser("chromium"), args: QUIET },
 };
 
-/** Two cores that draw a frame in half a second need time to compile pipelines and to stream tiles. */
+/** Two cores that draw a frame in half a second need a minute to compile pipelines and to stream tiles, and six on a bad day. */
 export const SETTLE_MS = 400_000;
 
 /** A page that compiles pipelines or simulates a new sea may answer late. */

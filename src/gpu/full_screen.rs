@@ -4,14 +4,14 @@ use super::Gpu;
 use super::pipeline::{Bind, DepthTest, Drawing};
 
 /// A pass of one such triangle.
-pub struct Overlay {
+pub struct FullScreen {
     label: &'static str,
     layout: wgpu::BindGroupLayout,
     pipeline: Drawing,
     group: Option<wgpu::BindGroup>,
 }
 
-impl Overlay {
+impl FullScreen {
     /// A shader with the entry points `vertex` and `fragment`, whose group 0 holds the picture that is read, into a target of `format`
     /// and, where there is a depth, through its test.
     pub fn new(
