@@ -1,4 +1,6 @@
-// Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye, shaded by height, slope and latitude.
+// Dry land, lakes and the sea bed, shaded by height, slope and latitude: one grid per map tile, placed exactly relative to the eye; or,
+// `FROM_SPACE` (known when it is compiled), where no summit stands as high as a pixel is wide, the ellipsoid itself, which the pixels' own
+// rays meet.
 #import world
 #import water
 #import output
@@ -13,8 +15,9 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
 }
 
-const GRID: f32 = 32.0;
+const GRID: f32 = 16.0;
 const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+const FARTHEST: f32 = 1e-12;     // depth; reversed, the sky's is 0
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
@@ -28,7 +31,7 @@ fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
 }
 
 @vertex
-fn vertex(in: Tile) -> Vertex {
+fn vertex_of_tile(in: Tile) -> Vertex {
     let tile = vec4u(in.square_level, in.tile);
     let inside = clamp(in.grid, vec2f(0.0), vec2f(GRID)) / GRID;
     let point = tile_point(tile, inside);
@@ -45,6 +48,14 @@ fn vertex(in: Tile) -> Vertex {
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = surface_from_normal_delta(dn) + up * height;
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
+}
+
+// One triangle over the picture; its depth is behind everything but the sky.
+@vertex
+fn vertex_of_picture(@builtin(vertex_index) index: u32) -> Vertex {
+    let device = vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0;
+    let local = frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up;
+    return Vertex(vec4f(device, FARTHEST, 1.0), local, vec2f(0.0), vec4u(0u));
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -99,10 +110,14 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var distance = length(in.local);
     let to_eye = -in.local / max(distance, 1e-3);
     let far_hit = surface_hit(eye_ray(-to_eye));
+    if FROM_SPACE && far_hit < 0.0 {
+        discard;
+        return vec4f(0.0);
+    }
     // 0.4 %: what the sea pass takes for the same place. A ray over a ridge meets the ellipsoid much farther on; a coarse triangle
     // may lie far below it.
-    if chords_show(distance) && far_hit >= 0.0 && far_hit < 1.004 * distance {
-        // From space the pixel's own ray tells the place, as it does for the sea, so that no pixel falls between the two.
+    if FROM_SPACE || (chords_show(distance) && far_hit >= 0.0 && far_hit < 1.004 * distance) {
+        // The pixel's own ray tells the place, as it does for the sea, so that no pixel falls between the two.
         distance = far_hit;
         dn = normal_delta(-to_eye * distance);
         point = map_point(dn);

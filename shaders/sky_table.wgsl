@@ -15,7 +15,7 @@ fn sky(mu: f32, azimuth: f32, mu_sun: f32) -> vec3f {
     let sun = vec3f(sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), 0.0, mu_sun);
     let ray = Ray(curvature, 0.5 * mu, 0.0);
     let shell = shell_hits(ray, TOP);
-    let sight = Sight(ray, direction, vec3f(0.0, 0.0, 0.5), curvature * direction, sun);
+    let sight = sight_along(ray, direction, vec3f(0.0, 0.0, 0.5), curvature * direction, sun);
     return scatter(sight, 0.0, shell.y, 32u, 0.0).radiance;
 }
 

@@ -24,7 +24,7 @@ fn table_direction(azimuth: f32, row: f32, below: bool, lift: Metres) -> vec3f {
 }
 
 fn sight_of(direction: vec3f) -> Sight {
-    return Sight(eye_ray(direction), direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
+    return sight_along(eye_ray(direction), direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
 }
 
 @compute @workgroup_size(8, 8)
@@ -51,7 +51,7 @@ fn hazes(@builtin(global_invocation_id) id: vec3u) {
     let row = select(f32(id.y - first_above) / f32(size.y - first_above - 1u), f32(id.y) / f32(first_above - 1u), below);
     let sight = sight_of(table_direction(f32(id.x) / f32(columns - 1u), row, below, SUMMIT));
     let reach = haze_reach(sight.ray, below);
-    var all = Scattered(vec3f(0.0), vec3f(0.0));
+    var all = NOTHING_MET;
     var t = reach.x;
     for (var slice = 0u; slice < size.z; slice++) {
         let next = mix(reach.x, reach.y, warped(f32(slice) / f32(size.z - 1u), eye_sink()));
@@ -60,8 +60,8 @@ fn hazes(@builtin(global_invocation_id) id: vec3u) {
         textureStore(haze_table, vec3u(id.x, id.y, slice), vec4f(all.radiance, 1.0));
         // Transmittance is the same for all azimuths, but for the flattening: two equal columns beside, so that none is filtered.
         if id.x == columns / 2u {
-            textureStore(haze_table, vec3u(columns, id.y, slice), vec4f(exp(-all.optical), 1.0));
-            textureStore(haze_table, vec3u(columns + 1u, id.y, slice), vec4f(exp(-all.optical), 1.0));
+            textureStore(haze_table, vec3u(columns, id.y, slice), vec4f(all.through, 1.0));
+            textureStore(haze_table, vec3u(columns + 1u, id.y, slice), vec4f(all.through, 1.0));
         }
     }
 }

@@ -65,7 +65,8 @@ pub struct Renderer {
     clear: Option<wgpu::Color>,
     /// Of the last frame.
     dispatches: usize,
-    visible: Vec<TileId>,
+    /// Map tiles of the ground; `None` from space.
+    visible: Option<Vec<TileId>>,
     complete: bool,
 }
 
@@ -102,7 +103,7 @@ impl Renderer {
         let mesh = Mesh::new(&gpu);
         Self {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
-            land: Land::new(&gpu, frame, layout, radiance, DEPTH_FORMAT),
+            land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             backdrop: backdrop::pass(&gpu, [radiance, DEPTH_FORMAT]),
             tonemap: tonemap::pass(&gpu, TARGET_FORMAT),
@@ -119,7 +120,7 @@ impl Renderer {
             moving: false,
             clear: None,
             dispatches: 0,
-            visible: Vec::new(),
+            visible: None,
             complete: false,
             gpu,
             world,
@@ -134,7 +135,8 @@ impl Renderer {
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon);
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
-        self.visible = drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame));
+        self.visible =
+            (!frame.is_from_space()).then(|| drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame)));
         self.complete
     }
 
@@ -188,8 +190,11 @@ impl Renderer {
         self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
         let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
         self.ocean.prepare(&self.gpu, mesh, Look::of(frame));
-        // Coarse tiles are far ones.
-        self.land.set_tiles(&self.gpu, self.visible.iter().rev());
+        match &self.visible {
+            // Coarse tiles are far ones.
+            Some(tiles) => self.land.set_tiles(&self.gpu, tiles.iter().rev()),
+            None => self.land.set_from_space(),
+        }
         self.sky_view.prepare(&frame.uniform);
         self.dispatches = self.air_table.dispatches()
             + self.sky_table.dispatches()

@@ -4,38 +4,43 @@
 #import sunlight
 #import sky_coordinates
 
-// `optical`: depth, so that exp(-optical) of the far end's light comes through.
-struct Scattered { radiance: vec3f, optical: vec3f }
+// `through`: the share of the far end's light that comes through.
+struct Scattered { radiance: vec3f, through: vec3f }
 
-// Where a ray starts and what lights it: the ray, its unit direction, the gradient of the height at its start and how it changes
-// per metre, the sun.
-struct Sight { ray: Ray, direction: vec3f, gradient: vec3f, turning: vec3f, sun: vec3f }
+const NOTHING_MET = Scattered(vec3f(0.0), vec3f(1.0));
+
+// Where a ray starts and what lights it: the ray, the gradient of the height at its start and how it changes per metre, the sun, and
+// the air's phase functions, Rayleigh's and Mie's.
+struct Sight { ray: Ray, gradient: vec3f, turning: vec3f, sun: vec3f, phases: vec2f }
+
+fn sight_along(ray: Ray, direction: vec3f, gradient: vec3f, turning: vec3f, sun: vec3f) -> Sight {
+    let c = dot(direction, sun);
+    return Sight(ray, gradient, turning, sun, vec2f(rayleigh_phase(c), mie_phase(c)));
+}
 
 // What lies between the start of a ray and `to_t`, when it is known up to `from_t`, in a single step.
 fn stepped(sight: Sight, before: Scattered, from_t: f32, to_t: f32) -> Scattered {
     let t = 0.5 * (from_t + to_t);
-    let c = dot(sight.direction, sight.sun);
     let h = clamp(height_along(sight.ray, t), 0.0, TOP);
     let up = normalize(sight.gradient + t * sight.turning);
     let mu_sun = dot(up, sight.sun);
-    let density_r = exp(-h / RAYLEIGH_HEIGHT);
+    let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT);
     let density_m = exp(-h / MIE_HEIGHT);
     let density_o = max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
-    let extinction = RAYLEIGH * density_r + vec3f(MIE_EXTINCTION * density_m) + OZONE * density_o;
+    let extinction = rayleigh + vec3f(MIE_EXTINCTION * density_m) + OZONE * density_o;
     // Higher orders, roughly isotropic: a third of the first overhead, and most of the light at the end of long paths.
     let place = table_place(multiple_coordinates(h, mu_sun), textureDimensions(multiples));
-    let ambient = textureSampleLevel(multiples, clamped, place, 0.0).rgb * (4.0 - 3.0 * exp(-before.optical));
+    let ambient = textureSampleLevel(multiples, clamped, place, 0.0).rgb * (4.0 - 3.0 * before.through);
     let lit = sunlight(h, mu_sun);
-    let source = RAYLEIGH * density_r * (rayleigh_phase(c) * lit + ambient) + MIE * density_m * (mie_phase(c) * lit + ambient);
-    let step_optical = extinction * (to_t - from_t);
-    let inside = (vec3f(1.0) - exp(-step_optical)) / max(extinction, vec3f(1e-12));
-    let radiance = before.radiance + SUN_IRRADIANCE * exp(-before.optical) * source * inside;
-    return Scattered(radiance, before.optical + step_optical);
+    let source = rayleigh * (sight.phases.x * lit + ambient) + MIE * density_m * (sight.phases.y * lit + ambient);
+    let passed = exp(extinction * (from_t - to_t));
+    let inside = (vec3f(1.0) - passed) / max(extinction, vec3f(1e-12));
+    return Scattered(before.radiance + SUN_IRRADIANCE * before.through * source * inside, before.through * passed);
 }
 
 // Light scattered towards the start of a ray between two distances, in steps that grow by `warped`.
 fn scatter(sight: Sight, from_t: f32, to_t: f32, steps: u32, sink: f32) -> Scattered {
-    var all = Scattered(vec3f(0.0), vec3f(0.0));
+    var all = NOTHING_MET;
     var t = from_t;
     for (var i = 1u; i <= steps; i++) {
         let next = mix(from_t, to_t, warped(f32(i) / f32(steps), sink));

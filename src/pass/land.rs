@@ -1,4 +1,5 @@
-//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw.
+//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw; from space one triangle over
+//! the picture, whose pixels find their places themselves.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -8,7 +9,7 @@ use crate::gpu::pipeline::{DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
-pub const GRID: u32 = 32;
+pub const GRID: u32 = 16;
 const MOST_TILES: usize = 512;
 
 #[repr(C)]
@@ -20,19 +21,21 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader.
-pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/land.wgsl"), "")
+/// The composed shader, for a ground that is seen from space or for one of tiles.
+pub fn source(from_space: bool) -> String {
+    shader::composed(include_str!("../../shaders/land.wgsl"), &format!("const FROM_SPACE: bool = {from_space};\n"))
 }
 
 /// The pass.
 pub struct Land {
-    pipeline: Drawing,
+    of_tiles: Drawing,
+    from_space: Drawing,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
     instances: wgpu::Buffer,
-    count: u32,
+    /// Tiles of the next draw; `None` from space.
+    count: Option<u32>,
 }
 
 /// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
@@ -49,8 +52,7 @@ impl Land {
         gpu: &Gpu,
         frame: &wgpu::BindGroupLayout,
         surface: &wgpu::BindGroupLayout,
-        colour: wgpu::TextureFormat,
-        depth: wgpu::TextureFormat,
+        [colour, depth]: [wgpu::TextureFormat; 2],
     ) -> Self {
         let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
         let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
@@ -63,23 +65,20 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let pipeline = gpu.drawing(
-            "land",
-            (&source(), "vertex"),
-            &[frame, surface],
-            &buffers,
-            colour,
-            Some((depth, DepthTest::Nearest)),
-        );
+        let pipeline = |from_space, vertex, buffers: &[_]| {
+            let depth = Some((depth, DepthTest::Nearest));
+            gpu.drawing("land", (&source(from_space), vertex), &[frame, surface], buffers, colour, depth)
+        };
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipeline,
+            of_tiles: pipeline(false, "vertex_of_tile", &buffers),
+            from_space: pipeline(true, "vertex_of_picture", &[]),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
-            count: 0,
+            count: Some(0),
         }
     }
 
@@ -89,22 +88,28 @@ impl Land {
             |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
         let instances: Vec<Instance> = tiles.take(MOST_TILES).map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.count = instances.len() as u32;
+        self.count = Some(instances.len() as u32);
+    }
+
+    /// Draws the next ground as it is seen from space.
+    pub fn set_from_space(&mut self) {
+        self.count = None;
     }
 
     /// Tiles and triangles of the next draw.
     pub fn counts(&self) -> [u32; 2] {
-        [self.count, self.count * (self.index_count / 3)]
+        self.count.map_or([0, 1], |count| [count, count * (self.index_count / 3)])
     }
 
-    /// One instanced draw.
+    /// One draw.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(if self.count.is_some() { &self.of_tiles } else { &self.from_space });
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
+        let Some(count) = self.count else { return pass.draw(0..3, 0..1) };
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..self.count);
+        pass.draw_indexed(0..self.index_count, 0, 0..count);
     }
 }

@@ -8,7 +8,7 @@ use crate::scene::frame::FrameUniform;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Azimuths on one side of the sun, which stands for the other.
-const AZIMUTHS: u32 = 48;
+const AZIMUTHS: u32 = 32;
 /// Azimuths × elevations of the sky.
 const SKY: [u32; 2] = [AZIMUTHS, 80];
 /// Azimuths, with two columns for the transmittance, × elevations, two fifths of them above the horizon (`haze_first_above`), × distances.

@@ -30,14 +30,14 @@ fn compare(@builtin(global_invocation_id) id: vec3u) {
     let distance = rays[id.x].w;
     let ray = eye_ray(direction);
     let air = shell_hits(ray, TOP);
-    var wanted = Scattered(vec3f(0.0), vec3f(0.0));
+    var wanted = NOTHING_MET;
     if air.y > max(air.x, 0.0) {
-        let sight = Sight(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
+        let sight = sight_along(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
         let sink = eye_sink() * select(1.0, 0.5, distance > 1e8);
         wanted = scatter(sight, max(air.x, 0.0), min(air.y, distance), 256u, sink);
     }
     steps[id.x] = vec4f(wanted.radiance, 1.0);
-    stepped_through[id.x] = vec4f(exp(-wanted.optical), 1.0);
+    stepped_through[id.x] = vec4f(wanted.through, 1.0);
     if distance > 1e8 {
         seen[id.x] = vec4f(sky_seen(direction), surface_hit(ray));
         seen_through[id.x] = stepped_through[id.x];

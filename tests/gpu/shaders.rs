@@ -27,7 +27,8 @@ fn all() -> Vec<(&'static str, String)> {
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
         ("foam.wgsl", foam::source()),
-        ("land.wgsl", land::source()),
+        ("land.wgsl", land::source(false)),
+        ("land.wgsl", land::source(true)),
         ("mips.wgsl", mips::source("rgba16float")),
         ("perlin.wgsl", perlin::source()),
         ("sky.wgsl", sky::source()),
@@ -204,7 +205,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source();
+    let land = land::source(false);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "TILES"), wave_domain::TILES as f64);

@@ -10,7 +10,7 @@ use ocean_globe::scene::frame::{Frame, Output};
 use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
-use ocean_globe::scene::view::map_tiles::drawn_tiles;
+use ocean_globe::scene::view::map_tiles::{RELIEF_M, drawn_tiles};
 use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -48,6 +48,33 @@ fn land_is_land_on_every_side_of_the_globe() {
         let state = render::parse_state(&format!("#view={place}&time=2026-06-21T12:00:00Z")).unwrap();
         let seen = render::measure(&mut renderer, &state, size, LayerName::Class).unwrap();
         assert!(seen.values.iter().all(|value| *value == class), "{name}: {:?}", seen.values);
+    }
+}
+
+/// From space no tiles are drawn: the ground does not change where they end.
+#[test]
+fn the_ground_from_space_is_that_of_the_tiles() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [320, 180];
+    for place in ["30,85", "47,10", "-80,40", "82,-40", "-20,-68"] {
+        let mut state = render::parse_state(&format!("#view={place},1e6,20,15&time=2026-06-21T09:00:00Z")).unwrap();
+        let pixel_angle = f64::from(renderer.frame(&state.settings, &state.camera, 0.0, size).uniform.pixel_angle);
+        let seen = [0.99999, 1.00001].map(|side| {
+            state.camera.altitude_m = side * RELIEF_M / pixel_angle;
+            [LayerName::Class, LayerName::Luminance].map(|layer| {
+                (render::measure(&mut renderer, &state, size, layer).unwrap().values, renderer.cost().unwrap())
+            })
+        });
+        let [[(near, of_tiles), (near_light, _)], [(far, from_space), (far_light, _)]] = seen;
+        assert!(of_tiles.map_tiles > 0 && from_space.map_tiles == 0, "{place}: {of_tiles:?} {from_space:?}");
+        let land = near.iter().filter(|class| **class == 0.0).count();
+        let other = near.iter().zip(&far).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
+        let change =
+            near_light.iter().zip(&far_light).map(|(a, b)| (a - b).abs()).sum::<f64>() / far_light.iter().sum::<f64>();
+        println!("{place}: {land} pixels of land, {other} of another class, light changes by {change:.5}");
+        assert!(land > 1000, "{place}: {land} pixels of land");
+        // What lies between them moves the picture's edge by a five-hundredth of a pixel; a shore turns a few over.
+        assert!(other <= 14 && change < 2e-3, "{place}: {other} pixels, {change}");
     }
 }
 

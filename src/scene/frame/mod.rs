@@ -15,6 +15,7 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
+use crate::scene::view::map_tiles::RELIEF_M;
 use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 pub use uniform::{FrameUniform, NEAR_M, Output};
 
@@ -133,6 +134,11 @@ impl Frame {
     pub fn has_foam(&self) -> bool {
         self.nearest_sea_m() < foam::HIGHEST_M as f32
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
+    }
+
+    /// Whether the ground is seen from space: no pixel is narrower than the highest summit is high, and the ellipsoid is all of its shape.
+    pub fn is_from_space(&self) -> bool {
+        self.camera.altitude_m * f64::from(self.uniform.pixel_angle) > RELIEF_M
     }
 
     /// A distance that no water is nearer than, metres.

@@ -11,12 +11,12 @@ use crate::model::earth::{self, Geodetic, WGS84};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// Deepest level of the ground's mesh, whatever the archives hold: cells of 76 m at the equator.
-const DEEPEST_MESH: u8 = 14;
-/// Levels of the mesh below the archives' deepest tiles, whose texels are as wide as the mesh's cells three levels down: four cells to a
+const DEEPEST_MESH: u8 = 15;
+/// Levels of the mesh below the archives' deepest tiles, whose texels are as wide as the mesh's cells four levels down: four cells to a
 /// texel follow what a sharp coast makes of it (`shaped_elevation`), and finer ones show nothing more.
-const LEVELS_BELOW: u8 = 5;
+const LEVELS_BELOW: u8 = 6;
 /// Highest and lowest ground, metres, with a margin.
-const RELIEF_M: f64 = 9_500.0;
+pub const RELIEF_M: f64 = 9_500.0;
 /// Tiles that one frame may draw.
 const MOST_TILES: usize = 420;
 
@@ -103,8 +103,8 @@ fn horizon_angle(height_m: f64) -> f64 {
 /// Heights of the ground in a tile: real ones where all of the tile's data are at hand.
 fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
     let known = id.z >= tiles.deepest(Layer::Terrain, id.projection) && tiles.is_known(Layer::Terrain, id);
-    // Vertices look three levels up, where a texel is as wide as a cell of the mesh.
-    let metres = if known { tiles.elevations_m(id, id.z.saturating_sub(4)) } else { None };
+    // Vertices look four levels up, where a texel is as wide as a cell of the mesh.
+    let metres = if known { tiles.elevations_m(id, id.z.saturating_sub(5)) } else { None };
     // A sharp coast shapes the bed to at least 30 m of depth and the land to at least 2 m of height, see `shaped_elevation`.
     metres.map_or([-RELIEF_M, RELIEF_M], |metres| [metres.least.min(-30.0), metres.greatest.max(2.0)])
 }
