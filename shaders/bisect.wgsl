@@ -52,7 +52,7 @@ fn split(slot: u32, edge: u32) {
 @compute @workgroup_size(64)
 fn classify(@builtin(global_invocation_id) id: vec3u) {
     let slot = id.x;
-    if slot >= capacity() || !is_live(slot) { return; }
+    if state.resting != AWAKE || slot >= capacity() || !is_live(slot) { return; }
     if f32(hash(vec3u(slot, state.updates, 0u)) >> 8u) / 16777216.0 > state.acceptance { return; }
     let t = triangle_of(slot);
     if asks(t.left, t.right) { split(slot, BASE); }
@@ -64,7 +64,7 @@ fn classify(@builtin(global_invocation_id) id: vec3u) {
 @compute @workgroup_size(64)
 fn plan(@builtin(global_invocation_id) id: vec3u) {
     let slot = id.x;
-    if slot >= capacity() || !is_live(slot) { return; }
+    if state.resting != AWAKE || slot >= capacity() || !is_live(slot) { return; }
     let command = command_of(slot) & SPLITS;
     if command != 0u {
         let n = countOneBits(command) + 1u;
@@ -105,7 +105,7 @@ fn plan(@builtin(global_invocation_id) id: vec3u) {
 @compute @workgroup_size(64)
 fn apply(@builtin(global_invocation_id) id: vec3u) {
     let slot = id.x;
-    if slot >= capacity() { return; }
+    if state.resting != AWAKE || slot >= capacity() { return; }
     let command = command_of(slot);
     if command == 0u { return; }
     if (command & MERGE) == 0u {
@@ -136,6 +136,11 @@ fn account(@builtin(local_invocation_index) lane: u32) {
     sum_up(lane, groups, groups);
     workgroupBarrier();
     if lane > 0u { return; }
+    if state.resting != AWAKE {
+        state.resting = ASLEEP;
+        return;
+    }
+    let before = vec2f(state.coarseness, state.acceptance);
     let short = is_short();
     let growth = atomicLoad(&state.growth);
     let budget = f32(bisection.budget);
@@ -150,6 +155,8 @@ fn account(@builtin(local_invocation_index) lane: u32) {
     if !short && f32(state.live) < 0.95 * budget { state.coarseness = max(0.99 * state.coarseness, 1.0); }
     state.last_growth = select(growth, 0u, short);
     state.last_merged = atomicLoad(&state.merging);
+    let same = all(before == vec2f(state.coarseness, state.acceptance));
+    state.resting = select(AWAKE, LISTED, same && !short && growth == 0u && state.last_merged == 0u);
     state.updates += 1u;
     atomicStore(&state.wanted_slots, 0u);
     atomicStore(&state.growth, 0u);
@@ -162,7 +169,7 @@ fn account(@builtin(local_invocation_index) lane: u32) {
 @compute @workgroup_size(64)
 fn list(@builtin(global_invocation_id) id: vec3u) {
     let slot = id.x;
-    if slot >= capacity() { return; }
+    if state.resting == ASLEEP || slot >= capacity() { return; }
     if !is_live(slot) {
         atomicStore(&commands[slot], 0u);
         return;

@@ -161,13 +161,19 @@ impl Renderer {
         self.settle_mesh(frame);
     }
 
-    /// Lets the bisected mesh come to rest.
+    /// Lets the bisected mesh come to rest. Waits for the device.
     pub fn settle_mesh(&mut self, frame: &Frame) {
         self.upload(frame);
-        self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, u32::MAX);
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.block_group);
-        self.gpu.queue.submit([encoder.finish()]);
+        loop {
+            self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[1]);
+            if self.mesh.dispatches() == 0 {
+                return;
+            }
+            let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+            self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.block_group);
+            self.gpu.queue.submit([encoder.finish()]);
+            self.mesh.learn(&self.gpu);
+        }
     }
 
     /// Forgets what came before: the next picture is that of a renderer that has just been made.

@@ -30,9 +30,15 @@ struct State {
     updates: u32,
     last_growth: u32,          // of the last update
     last_merged: u32,
-    unused_a: u32,
-    unused_b: u32,
+    resting: u32,              // AWAKE, LISTED or ASLEEP
+    unused: u32,
 }
+
+// An update that has changed nothing sets the mesh at rest: the next ones would change nothing either, until the host wakes it. It still
+// lists what is drawn.
+const AWAKE = 0u;
+const LISTED = 1u;
+const ASLEEP = 2u;
 
 const BASE = 0u;
 const LEFT = 1u;

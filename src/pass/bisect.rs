@@ -61,8 +61,15 @@ pub struct State {
     pub updates: u32,
     pub last_growth: u32,
     pub last_merged: u32,
-    pub unused_a: u32,
-    pub unused_b: u32,
+    pub resting: u32,
+    pub unused: u32,
+}
+
+impl State {
+    /// Whether further updates would change nothing.
+    pub fn is_at_rest(&self) -> bool {
+        self.resting != 0
+    }
 }
 
 /// A triangle read back from the pool.
@@ -167,9 +174,10 @@ impl Bisect {
         gpu.queue.write_buffer(&self.state, 0, bytemuck::bytes_of(&state));
     }
 
-    /// Sets the eye and the wish of the next updates and draws.
+    /// Sets the wish of the next updates and draws, and wakes a mesh at rest: needed whenever the eye, the water or the wish is another.
     pub fn prepare(&self, gpu: &Gpu, bisection: &Bisection) {
         gpu.queue.write_buffer(&self.block, 0, bytemuck::bytes_of(bisection));
+        gpu.queue.write_buffer(&self.state, std::mem::offset_of!(State, resting) as u64, &[0; 4]);
     }
 
     /// One update: six dispatches.

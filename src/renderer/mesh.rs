@@ -60,14 +60,13 @@ impl Mesh {
             self.bisect = Some(Bisect::new(gpu, frame_layout, &self.layout, capacity));
             self.view = None;
         }
+        let Some(bisect) = &self.bisect else { return };
         if self.view != view {
             (self.view, self.rested) = (view, 0);
-        }
-        if let Some(bisect) = &self.bisect {
-            self.due = updates.min(SETTLING - self.rested);
-            self.rested += self.due;
             bisect.prepare(gpu, &bisection);
         }
+        self.due = updates.min(SETTLING - self.rested);
+        self.rested += self.due;
     }
 
     /// Back to the mesh's beginning.
@@ -83,6 +82,14 @@ impl Mesh {
         let Some(bisect) = &self.bisect else { return };
         for _ in 0..self.due {
             bisect.dispatch(pass, frame_block);
+        }
+    }
+
+    /// Looks whether the mesh is at rest already: then no more updates are due. Waits for the device.
+    pub(super) fn learn(&mut self, gpu: &Gpu) {
+        let state = self.bisect.as_ref().and_then(|bisect| bisect.read_state(gpu).ok());
+        if state.is_some_and(|state| state.is_at_rest()) {
+            self.rested = SETTLING;
         }
     }
 

@@ -156,6 +156,29 @@ fn it_settles_to_the_same_mesh_from_everywhere() {
     }
 }
 
+#[test]
+fn a_mesh_at_rest_sleeps_until_it_is_woken() {
+    let pools = ["LISTED", "AWAKE"].map(|rest| {
+        Pool::edited(1 << 15, |text| text.replace("select(AWAKE, LISTED,", &format!("select(AWAKE, {rest},")))
+    });
+    // Under its budget a mesh does not depend on the order of its slots.
+    let (settings, mut seas) = (settings(24.0, 20_000), Seas::default());
+    let mut vertices = Vec::new();
+    for (heading, resting) in [(206.0, [2, 0]), (250.0, [2, 0])] {
+        let frame = frame(&mut seas, &settings, &Camera::from_degrees(35.68, -14.25, 3.0, heading, 82.0));
+        pools.iter().for_each(|pool| pool.update(&frame, 64));
+        let states = pools.each_ref().map(Pool::state);
+        assert_eq!(states.map(|state| state.resting), resting);
+        assert_eq!(states[0].vertices, states[1].vertices);
+        assert!(states[0].updates < states[1].updates, "{states:?}");
+        let [slept, awake] = pools.each_ref().map(|pool| triangles(&pool.mesh()));
+        assert!(slept == awake, "{} triangles, {} of one that never sleeps", slept.len(), awake.len());
+        println!("{} triangles after {} updates", slept.len(), states[0].updates);
+        vertices.push(states[0].vertices);
+    }
+    assert!(vertices[0] != vertices[1] && vertices[0] > 1_000, "{vertices:?}");
+}
+
 /// A number in 0…1 of a place in a list.
 fn unit(index: u32, salt: u32) -> f64 {
     let [bits, _] = ocean_globe::model::noise::bits(salt, 5, index as i32, 0);

@@ -158,8 +158,8 @@ fn structs_have_the_same_members_at_the_same_places() {
             updates,
             last_growth,
             last_merged,
-            unused_a,
-            unused_b,
+            resting,
+            unused,
         ]
     );
     // The sea reads the accounts as an array of floats.
