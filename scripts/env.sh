@@ -16,7 +16,7 @@ web() {
 
 # True when nothing that a page is made of is newer than this mark. Folders count: their time changes with what is deleted.
 is_built() {
-  [ -e "$1" ] && [ -z "$(find src shaders www scripts Cargo.toml Cargo.lock Trunk.toml -path scripts/serve -prune -o -newer "$1" -print -quit)" ]
+  [ -e "$1" ] && [ -z "$(find .cargo src shaders www scripts Cargo.toml Cargo.lock Trunk.toml -path scripts/serve -prune -o -newer "$1" -print -quit)" ]
 }
 
 # compiling NAME LOG CRATES MINUTES COMMAND...: runs a compilation of about so many crates into a log, and tells every 20 s how far it is.

@@ -68,14 +68,13 @@ get_wasm_opt() {
   npm install --prefix "$CACHE/npm" --no-audit --no-fund --save-exact "binaryen@$BINARYEN" &&
     ln -sfn "$CACHE/npm/node_modules/.bin/wasm-opt" "$CACHE/bin/wasm-opt"
 }
-has_server() { cmp scripts/serve/package-lock.json "$CACHE/serve-packages.json" && [ -d scripts/serve/node_modules/sirv ]; }
-get_server() {
-  npm ci --prefix scripts/serve --no-audit --no-fund && cp scripts/serve/package-lock.json "$CACHE/serve-packages.json"
-}
-has_test_packages() { cmp tests/browser/package-lock.json "$CACHE/test-packages.json" && [ -d tests/browser/node_modules ]; }
-get_test_packages() {
-  npm ci --prefix tests/browser --no-audit --no-fund && cp tests/browser/package-lock.json "$CACHE/test-packages.json"
-}
+# What a folder's packages were installed from stands beside them: each checkout has its own.
+has_packages() { cmp "$1/package-lock.json" "$1/node_modules/.installed-from.json"; }
+get_packages() { npm ci --prefix "$1" --no-audit --no-fund && cp "$1/package-lock.json" "$1/node_modules/.installed-from.json"; }
+has_server() { has_packages scripts/serve; }
+get_server() { get_packages scripts/serve; }
+has_test_packages() { has_packages tests/browser; }
+get_test_packages() { get_packages tests/browser; }
 
 # ---- For tests: two browsers and a Vulkan driver ---------------------------------------------------------------------------------
 apt_install() {

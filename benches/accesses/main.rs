@@ -31,6 +31,16 @@ const TEXTURES: [(&str, f64, f64); 13] = [
     ("scene_colour", 16.0, 4.0),
 ];
 
+/// The same as counted at commit 0d38c63, which stepped through the air in each pixel and looked up both tile layers on their own: samples,
+/// texels, loads, bytes.
+const BEFORE: [(&str, [f64; 4]); 5] = [
+    ("coast", [22.91, 10.66, 11.0, 1541.0]),
+    ("calm", [31.80, 16.04, 11.0, 2196.0]),
+    ("breeze", [31.91, 15.97, 11.0, 2201.0]),
+    ("gale", [32.52, 15.60, 11.0, 2235.0]),
+    ("hurricane", [32.25, 15.94, 11.0, 2223.0]),
+];
+
 fn texture_bytes(name: &str) -> [f64; 2] {
     let known = TEXTURES.iter().find(|(known, ..)| *known == name);
     let (_, texel, mixed) = known.unwrap_or_else(|| panic!("what texels has {name}?"));
@@ -76,8 +86,12 @@ fn main() {
         let [samples, texels, loads, bytes] =
             [sum.samples, sum.texels, sum.loads, sum.bytes].map(|total| total / f64::from(count));
         println!("{:<12}{count:>10}{samples:>10.2}{texels:>10.2}{loads:>10.2}{bytes:>10.0}", view.id);
+        let before = BEFORE.iter().find(|(id, _)| *id == view.id).map(|(_, reads)| reads);
+        if let Some([samples, texels, loads, bytes]) = before {
+            println!("{:<22}{samples:>10.2}{texels:>10.2}{loads:>10.2}{bytes:>10.0}", "  before");
+        }
         rows.push(json!({
-            "view": view.id, "pixels": count, "samples": samples, "texels": texels, "loads": loads, "bytes": bytes,
+            "view": view.id, "pixels": count, "samples": samples, "texels": texels, "loads": loads, "bytes": bytes, "before": before,
         }));
     }
     let path = std::path::Path::new(&path);

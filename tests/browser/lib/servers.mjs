@@ -51,16 +51,19 @@ export async function startBreakable(behaviour = {}) {
     const file = normalize(join(PAGE, path));
     const bytes = file.startsWith(PAGE + sep) ? await readFile(file).catch(() => null) : null;
     const status = typeof special === "number" ? special : bytes ? 200 : 404;
-    requests.push({ path, range, status });
+    const asked = { path, range, status, bytes: 0 };
+    requests.push(asked);
     if (status !== 200) return response.writeHead(status).end();
     const headers = { "Content-Type": TYPES[extname(file)] ?? "application/octet-stream", "Cache-Control": "no-store" };
     const change = special ?? ((same) => same);
     const [, first, last] = (behaviour.ranges !== false && range?.match(/^bytes=(\d+)-(\d+)$/)) || [];
     if (first === undefined) {
       const body = change(bytes);
+      asked.bytes = body.length;
       return response.writeHead(200, { ...headers, "Content-Length": body.length }).end(body);
     }
     const body = change(bytes.subarray(Number(first), Number(last) + 1));
+    asked.bytes = body.length;
     headers["Content-Range"] = `bytes ${first}-${Number(first) + body.length - 1}/${bytes.length}`;
     response.writeHead(206, { ...headers, "Content-Length": body.length }).end(body);
   });

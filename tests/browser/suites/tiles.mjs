@@ -31,6 +31,20 @@ export const tileTests = (site) => describe("tiles", () => {
     assert.deepEqual(whole.requests.filter(({ range }) => !range), []);
   });
 
+  test("the opening view in full HD takes few requests, each place of an archive once", async (t) => {
+    const server = await startBreakable();
+    const globe = await Globe.open(site.browser, server.address, { size: [1920, 1080] });
+    await globe.settled();
+    await globe.close();
+    server.close();
+    const parts = server.requests.filter(({ range }) => range);
+    const megabytes = server.requests.reduce((sum, { bytes }) => sum + bytes, 0) / 1e6;
+    t.diagnostic(`${server.requests.length} requests, ${parts.length} of them for parts of archives, ${megabytes.toFixed(1)} MB`);
+    assert.equal(new Set(parts.map(({ path, range }) => `${path} ${range}`)).size, parts.length);
+    // Each tile on its own were 134 requests.
+    assert.ok(parts.length > 5 && server.requests.length <= 67, `${server.requests.length} requests`);
+  });
+
   test("a server without ranges gives the same picture, each archive fetched once", async () => {
     const { picture, requests } = await coastFrom(await startBreakable({ ranges: false }));
     const same = difference(whole.picture, picture);
