@@ -153,7 +153,7 @@ impl Renderer {
     }
 
     /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
-    /// rest: a still picture needs both.
+    /// rest: a still picture needs both. Waits for the device where the mesh is bisected.
     pub fn settle(&mut self, frame: &Frame) {
         self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
         self.upload(frame);
@@ -172,7 +172,7 @@ impl Renderer {
             let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
             self.mesh.dispatch(&mut encoder.begin_compute_pass(&Default::default()), &self.frame_group.block_group);
             self.gpu.queue.submit([encoder.finish()]);
-            self.mesh.learn(&self.gpu);
+            self.mesh.stop_if_at_rest(&self.gpu);
         }
     }
 

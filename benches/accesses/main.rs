@@ -31,7 +31,7 @@ const TEXTURES: [(&str, f64, f64); 13] = [
     ("scene_colour", 16.0, 4.0),
 ];
 
-/// The same as counted at commit 0d38c63, which stepped through the air in each pixel and looked up both tile layers on their own: samples,
+/// The same counted by the same means in the shaders of commit 0d38c63, which stepped through the air in each pixel and looked up both tile layers on their own: samples,
 /// texels, loads, bytes.
 const BEFORE: [(&str, [f64; 4]); 5] = [
     ("coast", [22.91, 10.66, 11.0, 1541.0]),
@@ -86,13 +86,14 @@ fn main() {
         let [samples, texels, loads, bytes] =
             [sum.samples, sum.texels, sum.loads, sum.bytes].map(|total| total / f64::from(count));
         println!("{:<12}{count:>10}{samples:>10.2}{texels:>10.2}{loads:>10.2}{bytes:>10.0}", view.id);
-        let before = BEFORE.iter().find(|(id, _)| *id == view.id).map(|(_, reads)| reads);
-        if let Some([samples, texels, loads, bytes]) = before {
+        let mut row = json!({
+            "view": view.id, "pixels": count, "samples": samples, "texels": texels, "loads": loads, "bytes": bytes,
+        });
+        if let Some((_, [samples, texels, loads, bytes])) = BEFORE.iter().find(|(id, _)| *id == view.id) {
             println!("{:<22}{samples:>10.2}{texels:>10.2}{loads:>10.2}{bytes:>10.0}", "  before");
+            row["before"] = json!({ "samples": samples, "texels": texels, "loads": loads, "bytes": bytes });
         }
-        rows.push(json!({
-            "view": view.id, "pixels": count, "samples": samples, "texels": texels, "loads": loads, "bytes": bytes, "before": before,
-        }));
+        rows.push(row);
     }
     let path = std::path::Path::new(&path);
     if let Some(folder) = path.parent() {

@@ -10,9 +10,9 @@ pub struct Cost {
     pub vertices: u32,
     /// Triangles of the sea's mesh.
     pub triangles: u32,
-    /// Map tiles of the ground that are drawn, a grid of triangles for each.
+    /// Map tiles of the ground that are drawn, a grid of triangles for each; none from space.
     pub map_tiles: u32,
-    /// Triangles of the ground's grids.
+    /// Triangles of the ground's grids; from space the one that covers the picture.
     pub land_triangles: u32,
     /// Compute dispatches, those of the foam's replay included.
     pub dispatches: usize,

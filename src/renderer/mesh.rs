@@ -35,7 +35,7 @@ pub(super) struct Mesh {
     pub(super) layout: wgpu::BindGroupLayout,
     bisect: Option<Bisect>,
     view: Option<View>,
-    /// Updates since the view last changed.
+    /// Updates since the view last changed; [`SETTLING`] once it is known that more would change nothing.
     rested: u32,
     /// Updates that the frame makes.
     due: u32,
@@ -86,7 +86,7 @@ impl Mesh {
     }
 
     /// Looks whether the mesh is at rest already: then no more updates are due. Waits for the device.
-    pub(super) fn learn(&mut self, gpu: &Gpu) {
+    pub(super) fn stop_if_at_rest(&mut self, gpu: &Gpu) {
         let state = self.bisect.as_ref().and_then(|bisect| bisect.read_state(gpu).ok());
         if state.is_some_and(|state| state.is_at_rest()) {
             self.rested = SETTLING;

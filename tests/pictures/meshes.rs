@@ -1,7 +1,7 @@
 //! Both meshes draw the same sea, without a crack: nothing else is drawn, so that a hole shows nothing.
 
 use ocean_globe::cli::render::{LayerName, headless, measure, parse_state};
-use ocean_globe::renderer::Radiance;
+use ocean_globe::renderer::{Radiance, Renderer};
 
 const SIZE: [u32; 2] = [160, 90];
 /// The default triangles; a budget of 200,000 would only make their pool larger, as small a picture does not use it up.
@@ -45,5 +45,36 @@ fn the_bisected_mesh_covers_what_the_grid_covers_without_a_hole() {
             dark.iter().zip(&bisected).all(|(l, c)| l.is_finite() && (c.is_nan() || *l > 0.0)),
             "{view}: black or NaN"
         );
+    }
+}
+
+/// A mesh at rest sleeps. Whatever changes the wish wakes it: it comes to the mesh that it would come to from its beginning.
+#[test]
+fn whatever_is_seen_anew_wakes_a_sleeping_mesh() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    let vertices = |renderer: &mut Renderer, (view, sea, mesh, size): (&str, &str, &str, [u32; 2])| {
+        let link = format!("#view={view}&{sea}&mesh={mesh}&time=2026-11-20T14:00:00Z&quality=low&layers=-land");
+        measure(renderer, &parse_state(&link).unwrap(), size, LayerName::Class).unwrap();
+        renderer.cost().unwrap().vertices
+    };
+    let mut last = None;
+    // Each differs from the one before by one thing alone: heading, tilt, altitude, place, wind, wished pixels, size of the picture.
+    for seen in [
+        ("35.68,-14.25,300,206,70", "bft=5", "bisect,12,6000", SIZE),
+        ("35.68,-14.25,300,250,70", "bft=5", "bisect,12,6000", SIZE),
+        ("35.68,-14.25,300,250,50", "bft=5", "bisect,12,6000", SIZE),
+        ("35.68,-14.25,900,250,50", "bft=5", "bisect,12,6000", SIZE),
+        ("-35.68,20.5,900,250,50", "bft=5", "bisect,12,6000", SIZE),
+        ("-35.68,20.5,900,250,50", "bft=11", "bisect,12,6000", SIZE),
+        ("-35.68,20.5,900,250,50", "bft=11", "bisect,14,6000", SIZE),
+        ("-35.68,20.5,900,250,50", "bft=11", "bisect,14,6000", [160, 120]),
+    ] {
+        let woken = vertices(&mut renderer, seen);
+        renderer.forget();
+        let scratch = vertices(&mut renderer, seen);
+        println!("{seen:?}: {woken} vertices, from the beginning {scratch}");
+        assert!(woken == scratch, "{seen:?}: {woken} vertices instead of {scratch}");
+        assert!(last != Some(woken), "{seen:?}: {woken} vertices as before");
+        last = Some(woken);
     }
 }

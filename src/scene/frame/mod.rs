@@ -136,7 +136,8 @@ impl Frame {
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
     }
 
-    /// Whether the ground is seen from space: no pixel is narrower than the highest summit is high, and the ellipsoid is all of its shape.
+    /// Whether the ground is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high, and
+    /// the ellipsoid is all of the ground's shape. A wide picture's corners have pixels half as wide.
     pub fn is_from_space(&self) -> bool {
         self.camera.altitude_m * f64::from(self.uniform.pixel_angle) > RELIEF_M
     }
