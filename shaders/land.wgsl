@@ -135,6 +135,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
     let sea_covers = ground.is_ocean && (frame.layers & SHOWS_SEA) != 0u;
     if sea_covers && frame.output == PICTURE && frame.under_water == 0u && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+        // On the limb the sea's own rays decide, and the sky is what they may miss.
+        if FROM_SPACE && !is_inside_limb(eye_ray(-to_eye)) { discard; }
         return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
     }
 

@@ -15,13 +15,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
     if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
-    // Below the deepest trough and the flattest triangle, and a pixel inside the limb, land or sea covers the sky; should a pixel of
-    // theirs miss, the clear colour stands there.
-    let ray = eye_ray(direction);
-    let limb_distance = sqrt(max(ray.c, 0.0) / ray.a);
-    let covered = shell_hits(ray, -500.0 - limb_distance * frame.pixel_angle);
+    // Land or sea covers the sky; should a pixel of theirs miss, the clear colour stands there.
     let both = SHOWS_LAND | SHOWS_SEA;
-    if (frame.layers & both) == both && covered.y > max(covered.x, 0.0) {
+    if (frame.layers & both) == both && is_inside_limb(eye_ray(direction)) {
         discard;
         return vec4f(0.0);
     }

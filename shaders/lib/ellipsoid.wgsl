@@ -43,6 +43,14 @@ fn surface_hit(ray: Ray) -> f32 {
     return select(hits.x, hits.y, hits.x < 0.0);
 }
 
+// Whether a ray passes below the deepest trough and the flattest triangle, and a pixel inside the limb: what covers the ellipsoid covers
+// such a pixel for certain, whatever its own ray has been rounded to.
+fn is_inside_limb(ray: Ray) -> bool {
+    let limb_distance = sqrt(max(ray.c, 0.0) / ray.a);
+    let hits = shell_hits(ray, -500.0 - limb_distance * frame.pixel_angle);
+    return hits.y > max(hits.x, 0.0);
+}
+
 // Normal of the ellipsoid through `p`, as its difference from the normal at the eye's foot, (0, 0, 1).
 fn normal_delta(p: vec3f) -> vec3f {
     let g = frame.quadric_gradient + quadric_times(p);
