@@ -162,15 +162,13 @@ fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
 #[test]
 fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
     let still = "view=38,-2,3000000&time=2026-06-21T12:30:00Z&rate=0";
-    let mut window = Window::open(still, false, [320, 180]);
+    // The first pictures are as coarse as the canvas asks for on any processor; a quick one would soon make finer ones.
+    let mut window = Window::open(still, false, [640, 360]);
     assert!(window.gpu.software, "{} is a graphics card: this test is about processors", window.gpu.adapter);
-    window.settle();
-    assert_eq!(window.fact("scale"), "1.00");
     let before = window.pictures();
-    window.press(pos2(150.0, 90.0), true);
-    for step in 0..10 {
-        window.frame(vec![Event::PointerMoved(pos2(150.0 + 3.0 * step as f32, 90.0))]);
-        std::thread::sleep(Duration::from_millis(20));
+    window.press(pos2(300.0, 180.0), true);
+    for step in 0..5 {
+        window.frame(vec![Event::PointerMoved(pos2(300.0 + 6.0 * step as f32, 180.0))]);
         let _ = window.gpu.device.poll(wgpu::PollType::wait_indefinitely());
     }
     window.frame(vec![]);
@@ -178,7 +176,7 @@ fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
     let scale: f64 = window.fact("scale").parse().expect("a number");
     assert!((0.25..0.9).contains(&scale), "a scale of {scale}");
     assert_eq!(window.fact("state"), "loading");
-    window.press(pos2(180.0, 90.0), false);
+    window.press(pos2(330.0, 180.0), false);
     window.settle();
     assert_eq!(window.fact("scale"), "1.00");
     // A quality that somebody has chosen is drawn as it is, moving or not.

@@ -51,6 +51,23 @@ fn land_is_land_on_every_side_of_the_globe() {
     }
 }
 
+/// Far fjords: triangles of the ground are coarser there than the map of their shores.
+#[test]
+fn no_deep_sea_bed_lies_bare_where_the_ground_is_coarser_than_its_shore() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    for place in ["59.2,-151.9,4000,40,78&bft=5", "61.2,6.5,3000,250,75&bft=4"] {
+        let state = render::parse_state(&format!("#view={place}&time=2026-06-21T21:00:00Z")).unwrap();
+        let [classes, opacities, heights] = [LayerName::Class, LayerName::Mask, LayerName::Height]
+            .map(|layer| render::measure(&mut renderer, &state, [1280, 720], layer).unwrap().values);
+        let sea = classes.iter().filter(|class| **class == 1.0).count();
+        let pixels = classes.iter().zip(&opacities).zip(&heights);
+        // Water of 20 m hides its bed; nothing but the bed lies as deep.
+        let bare = pixels.filter(|((class, opacity), height)| **class == 1.0 && **opacity == 0.0 && **height < -20.0);
+        assert!(sea > 10_000, "{place}: {sea} pixels of sea");
+        assert_eq!(bare.count(), 0, "{place}: pixels of bare bed, of {sea}");
+    }
+}
+
 /// From space no tiles are drawn: the ground does not change where they end.
 #[test]
 fn the_ground_from_space_is_that_of_the_tiles() {
