@@ -16,8 +16,8 @@ use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
 use crate::pass::world_tiles::WorldTiles;
 use crate::pass::{backdrop, tonemap};
+use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
-use crate::scene::frame::{Frame, Output};
 use crate::scene::sea::Seas;
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::{Camera, LOWEST_M};
@@ -201,7 +201,9 @@ impl Renderer {
             Some(tiles) => self.land.set_tiles(&self.gpu, tiles.iter().rev()),
             None => self.land.set_from_space(),
         }
-        self.sky_view.prepare(&frame.uniform);
+        if frame.has_light() {
+            self.sky_view.prepare(&frame.uniform);
+        }
         self.dispatches = self.air_table.dispatches()
             + self.sky_table.dispatches()
             + self.sky_view.dispatches()
@@ -332,7 +334,7 @@ impl Renderer {
 fn clear_colour(frame: &Frame) -> wgpu::Color {
     let u = &frame.uniform;
     let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-    if u.layers & all != all || u.output != Output::Picture as u32 || u.under_water != 0 {
+    if u.layers & all != all || !frame.has_light() || u.under_water != 0 {
         return wgpu::Color::BLACK;
     }
     let [r, g, b] = DEEP_REFLECTANCE.map(|share| 0.25 * f64::from(u.exposure) * share);

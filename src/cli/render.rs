@@ -145,11 +145,7 @@ pub fn draw(
     let shape = crate::gpu::texture::Shape::picture(size[0], size[1]);
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     let target = gpu.texture("picture", shape, TARGET_FORMAT, usage);
-    if output == Output::Picture {
-        renderer.settle(&frame);
-    } else {
-        renderer.settle_mesh(&frame);
-    }
+    renderer.settle(&frame);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     renderer.render(&mut encoder, &frame, &crate::gpu::texture::view(&target));
     gpu.queue.submit([encoder.finish()]);

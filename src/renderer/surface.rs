@@ -120,6 +120,9 @@ impl Surface {
     /// `frame_group` is bind group 0 with the frame.
     pub(super) fn replay(&mut self, gpu: &Gpu, frame: &Frame, frame_group: &wgpu::BindGroup, mut budget: usize) {
         (self.replaying, self.replayed) = (false, 0);
+        if !frame.has_light() {
+            return;
+        }
         let Some(lifetime_s) = frame.foam_lifetime_s else { return self.history.reset() };
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
         while let Some(instant) = self.history.next_instant(ticks, eye, lifetime_s).filter(|instant| *instant != ticks)
@@ -147,7 +150,7 @@ impl Surface {
     /// Sets the frame's instant, for waves, far sea and the foam's last step.
     pub(super) fn prepare(&mut self, gpu: &Gpu, frame: &Frame) {
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
-        let lifetime_s = frame.foam_lifetime_s.filter(|_| !self.replaying);
+        let lifetime_s = frame.foam_lifetime_s.filter(|_| frame.has_light() && !self.replaying);
         let due = lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s).is_some());
         if let Some(lifetime_s) = due {
             self.foam.prepare(gpu, &step(&mut self.history, frame, ticks, lifetime_s));

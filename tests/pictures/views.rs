@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use ocean_globe::cli::render::{self, LayerName, Measured};
 use ocean_globe::data::world::World;
+use ocean_globe::gpu::texture;
 use ocean_globe::model::optics;
 use ocean_globe::renderer::{Radiance, Renderer};
-use ocean_globe::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
+use ocean_globe::scene::frame::{MIX_FAR_M, MIX_NEAR_M, Output};
 use ocean_globe::scene::view::named;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -92,6 +93,29 @@ fn opacity_and_mix_follow_their_formulas() {
         assert!((want - weight.values[pixel]).abs() < 0.01, "at {distance} m: {} against {want}", weight.values[pixel]);
     }
     assert!(between > 5, "only {between} pixels lie in the mix");
+}
+
+#[test]
+fn a_measured_layer_waits_for_no_foam_and_leaves_the_picture_its_own() {
+    let mut renderer = measuring();
+    let state = render::parse_state("#view=35,-30,12,270,80&bft=7&quality=low&time=2026-06-21T12:30:00Z").unwrap();
+    let size = [64, 36];
+    let picture = render::picture(&mut renderer, &state, size).unwrap();
+    for begin_anew in [false, true] {
+        let (frame, target) = render::draw(&mut renderer, &state, size, Output::Height).unwrap();
+        if begin_anew {
+            renderer.forget();
+        }
+        let gpu = renderer.gpu().clone();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        renderer.render(&mut encoder, &frame, &texture::view(&target));
+        gpu.queue.submit([encoder.finish()]);
+        // The waves, the noise and their mips; each step of a replay has as many.
+        let dispatches = renderer.cost().unwrap().dispatches;
+        assert!(dispatches <= 12, "{dispatches} dispatches of a measured layer");
+        let again = render::picture(&mut renderer, &state, size).unwrap();
+        assert!(again == picture, "the picture after a measured layer is another one; begun anew: {begin_anew}");
+    }
 }
 
 fn snapshot(id: &str) -> PathBuf {

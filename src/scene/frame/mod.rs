@@ -120,6 +120,11 @@ impl Frame {
         self
     }
 
+    /// Whether light is seen, and with it foam and air: measured layers tell of shapes and places alone.
+    pub fn has_light(&self) -> bool {
+        self.uniform.output == Output::Picture as u32
+    }
+
     /// Whether anything of the wave tiles can be seen: not from where the Perlin field alone makes the sea, nor where a pixel hides all.
     pub fn has_waves(&self) -> bool {
         self.nearest_sea_m() < self.uniform.mix_far && self.resolves_waves()
