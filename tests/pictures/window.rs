@@ -144,15 +144,12 @@ fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
     (0..10).for_each(|_| drop(window.frame(vec![])));
     let low = window.state().camera;
     assert!(low.altitude_m < dragged.altitude_m * 0.95, "{low:?}");
-    let mut rest = low;
-    loop {
-        (0..3).for_each(|_| drop(window.frame(vec![])));
-        let now = window.state().camera;
-        if now == rest {
-            break;
-        }
-        rest = now;
+    // The eye glides to rest in its own time: until nothing asks for another frame.
+    while window.repaint_delay < Duration::from_secs(1) {
+        std::thread::sleep(Duration::from_millis(10));
+        window.frame(vec![]);
     }
+    let rest = window.state().camera;
     let over_panel = window.widget("pause").expect("a panel").center() + vec2(0.0, 14.0);
     window.frame(scroll(over_panel));
     (0..10).for_each(|_| drop(window.frame(vec![])));
