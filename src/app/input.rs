@@ -176,7 +176,7 @@ mod tests {
             Event::Key { key: Key::H, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
         assert_eq!(wait_s(&[], 0.0), Some(LONGEST_WAIT_S));
         assert_eq!(wait_s(&[moved.clone(), moved.clone()], 0.25), Some(LONGEST_WAIT_S - 0.25));
-        assert_eq!(wait_s(&[moved.clone()], LONGEST_WAIT_S), None);
+        assert_eq!(wait_s(std::slice::from_ref(&moved), LONGEST_WAIT_S), None);
         assert_eq!(wait_s(&[moved.clone(), pressed], 0.0), None);
         assert_eq!(wait_s(&[key, moved], 0.0), None);
     }

@@ -1,6 +1,6 @@
 //! How much work a picture may be, so that the eye's moves are answered at once on any machine.
 //!
-//! While something moves, a picture of `quality=auto` may be coarser than the screen: each [`RUNGS`] entry says by how much, and the time
+//! While something moves, a picture of `quality=auto` may be coarser than the screen: each `RUNGS` entry says by how much, and the time
 //! that the device took for the last pictures says which one serves. At rest every picture is drawn in full, so that a link shows the
 //! same everywhere. A quality that the user has chosen is kept as it is.
 

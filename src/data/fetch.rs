@@ -203,7 +203,7 @@ mod web {
 
     /// Runs jobs on the browser's event loop.
     #[derive(Debug, Default)]
-    pub struct Spawner;
+    pub struct Spawner {}
 
     impl Spawner {
         /// Starts a job.
