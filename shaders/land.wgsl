@@ -13,7 +13,6 @@ struct Vertex {
     @location(0) local: vec3f,
     @location(1) in_tile: vec2f,                       // 0…1 within the tile
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
-    @location(3) height: Metres,                       // over the ellipsoid
 }
 
 const GRID: f32 = 16.0;
@@ -48,7 +47,7 @@ fn vertex_of_tile(in: Tile) -> Vertex {
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = surface_from_normal_delta(dn) + up * height;
-    return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile, height);
+    return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
 }
 
 // One triangle over the picture; its depth is behind everything but the sky.
@@ -56,15 +55,15 @@ fn vertex_of_tile(in: Tile) -> Vertex {
 fn vertex_of_picture(@builtin(vertex_index) index: u32) -> Vertex {
     let device = vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0;
     let local = frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up;
-    return Vertex(vec4f(device, FARTHEST, 1.0), local, vec2f(0.0), vec4u(0u), 0.0);
+    return Vertex(vec4f(device, FARTHEST, 1.0), local, vec2f(0.0), vec4u(0u));
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
 fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
 
-// Whether the sea pass takes this ground for land in front of the sea (0.4 % of the distance and 2 m, as there). Ground of the sea that
-// does so is a coarse triangle between a hill and the bed.
-fn hides_sea(height: Metres, distance: Metres, grazing: f32) -> bool { return height > grazing * (0.004 * distance + 2.0); }
+// Whether the sea pass takes this ground for land in front of the sea, which the pixel's ray meets at `far_hit` (0.4 % of the distance and
+// 2 m, as there). Ground of the sea that does so is a coarse triangle between a hill and the bed.
+fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < 0.996 * far_hit - 2.0; }
 
 // Patchiness, about 0…1: octaves from 300 km down to what pixels hold. As in lib/waves.wgsl, the loop ends at its foot.
 fn patchiness(at: vec2u, footprint: Metres) -> f32 {
@@ -133,8 +132,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     var sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
-    if ground.is_ocean && frame.under_water == 0u && far_hit >= 0.0 && far_hit < distance {
-        // The bed behind the surface: a strip of land in between is one, though coarse triangles pass under it.
+    if ground.is_ocean && frame.under_water == 0u && far_hit != distance && !hides_sea(distance, far_hit) {
+        // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
         let surface_dn = normal_delta(-to_eye * far_hit);
         let surface_sin_lat = frame.sin_lat + sin_lat_delta(surface_dn);
         let surface = ground_at(map_point(surface_dn), surface_sin_lat, max(far_hit * frame.pixel_angle, 1.0));
@@ -151,7 +150,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = across / sqrt(max(abs(dot(to_eye, up)), 0.05));
 
     let shows_sea = ground.is_ocean && (frame.layers & SHOWS_SEA) != 0u;
-    let sea_covers = shows_sea && !hides_sea(in.height, distance, abs(dot(to_eye, up)));
+    let sea_covers = shows_sea && !hides_sea(distance, far_hit);
     if shows_sea && frame.under_water == 0u && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
