@@ -4,7 +4,8 @@
 #import world
 #import water
 #import output
-#import noise
+#import ground_colour
+#import ground_slope
 
 struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
 
@@ -61,118 +62,75 @@ fn vertex_of_picture(@builtin(vertex_index) index: u32) -> Vertex {
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
 fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle > 200.0; }
 
-// Whether the sea pass takes this ground for land in front of the sea, which the pixel's ray meets at `far_hit` (0.4 % of the distance and
-// 2 m, as there). Ground of the sea that does so is a coarse triangle between a hill and the bed.
-fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < 0.996 * far_hit - 2.0; }
+// Whether the ground stands in front of the sea, which the pixel's ray meets at `far_hit`, if it does.
+fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
-// Patchiness, about 0…1: octaves from 300 km down to what pixels hold. As in lib/waves.wgsl, the loop ends at its foot.
-fn patchiness(at: vec2u, footprint: Metres) -> f32 {
-    var sum = 0.5;
-    var amplitude = 0.36;
-    var level = 7u;
-    loop {
-        let shown = 1.0 - smoothstep(0.25, 0.7, footprint * exp2(f32(level)) / EARTH_TURN);
-        sum += amplitude * shown * (map_noise(at, level, level) - 0.5);
-        amplitude *= 0.72;
-        level += 2u;
-        if level > 21u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
-    }
-    return sum;
+// What a pixel shows of the ground, and where.
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, sin_lat: f32, ground: Ground }
+
+fn place(distance: Metres, dn: vec3f, point: MapPoint) -> Place {
+    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
+    return Place(distance, dn, point, sin_lat, ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0)));
 }
 
-fn natural_colour(elevation: Metres, slope: f32, sin_lat: f32, patchy: f32) -> vec3f {
-    let latitude = degrees(asin(clamp(abs(sin_lat), 0.0, 1.0))) + (patchy - 0.5) * 9.0;
-    let forest = vec3f(0.034, 0.060, 0.020);
-    let grass = vec3f(0.105, 0.115, 0.045);
-    let desert = mix(vec3f(0.30, 0.20, 0.105), vec3f(0.44, 0.31, 0.17), patchy);
-    let tundra = vec3f(0.105, 0.095, 0.065);
-    let rock = vec3f(0.13, 0.115, 0.10);
-    let snow = vec3f(0.80, 0.83, 0.87);
-    let dry = smoothstep(11.0, 19.0, latitude) * (1.0 - smoothstep(29.0, 37.0, latitude)) * smoothstep(0.2, 0.55, patchy + 0.15);
-    var colour = mix(mix(forest, grass, patchy), desert, dry);
-    colour = mix(colour, tundra, smoothstep(58.0, 68.0, latitude + elevation / 150.0));
-    colour = mix(colour, rock, max(smoothstep(0.25, 0.7, slope), 0.8 * smoothstep(1500.0, 3500.0, elevation)));
-    let snow_line = mix(5300.0, 0.0, smoothstep(20.0, 74.0, latitude));
-    let snowy = smoothstep(snow_line - 250.0, snow_line + 350.0, elevation + (patchy - 0.5) * 500.0);
-    return mix(colour, snow, snowy * (1.0 - 0.6 * smoothstep(0.6, 1.2, slope)));
-}
-
-fn bed_colour(depth: Metres) -> vec3f {
-    return mix(vec3f(0.40, 0.35, 0.26), vec3f(0.13, 0.14, 0.12), smoothstep(2.0, 40.0, depth));
-}
-
-// The terrain tiles' own elevation beside a point.
-fn terrain_at(point: MapPoint, level: u32, step: vec2u) -> Metres {
-    let beside = MapPoint(point.square, point.at + step);
-    return bilinear(false, beside, pages_at(beside, level).terrain).x;
+// Where a ray meets the ellipsoid.
+fn place_on_ellipsoid(direction: vec3f, distance: Metres) -> Place {
+    let dn = normal_delta(direction * distance);
+    return place(distance, dn, map_point(dn));
 }
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
-    var point = tile_point(in.tile, in.in_tile);
-    var dn = normal_delta_at(point);
-    var distance = length(in.local);
-    let to_eye = -in.local / max(distance, 1e-3);
-    let far_hit = surface_hit(eye_ray(-to_eye));
+    let triangle_distance = length(in.local);
+    let direction = in.local / max(triangle_distance, 1e-3);
+    let ray = eye_ray(direction);
+    let far_hit = surface_hit(ray);
     if FROM_SPACE && far_hit < 0.0 {
         discard;
         return vec4f(0.0);
     }
-    // 0.4 %: what the sea pass takes for the same place. A ray over a ridge meets the ellipsoid much farther on; a coarse triangle
-    // may lie far below it.
-    if FROM_SPACE || (chords_show(distance) && far_hit >= 0.0 && far_hit < 1.004 * distance) {
-        // The pixel's own ray tells the place, as it does for the sea, so that no pixel falls between the two.
-        distance = far_hit;
-        dn = normal_delta(-to_eye * distance);
-        point = map_point(dn);
-    } else if square_of(frame.sin_lat + sin_lat_delta(dn)) != in.tile.x {
+    // Of wide pixels the own ray tells the place, as it does for the sea, so that none falls between the two. A ray over a ridge meets the
+    // ellipsoid much farther on; a coarse triangle may lie far below it.
+    let by_ray = FROM_SPACE || (chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance);
+    var at: Place;
+    if by_ray {
+        at = place_on_ellipsoid(direction, far_hit);
+    } else {
+        let point = tile_point(in.tile, in.in_tile);
+        at = place(triangle_distance, normal_delta_at(point), point);
         // Each place is drawn by one square alone.
-        discard;
-        return vec4f(0.0);
-    }
-    var sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
-    if ground.is_ocean && frame.under_water == 0u && far_hit != distance && !hides_sea(distance, far_hit) {
-        // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
-        let surface_dn = normal_delta(-to_eye * far_hit);
-        let surface_sin_lat = frame.sin_lat + sin_lat_delta(surface_dn);
-        let surface = ground_at(map_point(surface_dn), surface_sin_lat, max(far_hit * frame.pixel_angle, 1.0));
-        if !surface.is_ocean {
-            distance = far_hit;
-            dn = surface_dn;
-            point = map_point(dn);
-            sin_lat = surface_sin_lat;
-            ground = surface;
+        if square_of(at.sin_lat) != in.tile.x {
+            discard;
+            return vec4f(0.0);
         }
     }
-    let up = dn + vec3f(0.0, 0.0, 1.0);
-    let across = distance * frame.pixel_angle;
-    let footprint = across / sqrt(max(abs(dot(to_eye, up)), 0.05));
+    let seen_from_air = frame.under_water == 0u;
+    let shows_sea = (frame.layers & SHOWS_SEA) != 0u;
+    if at.ground.is_ocean && shows_sea && seen_from_air && !by_ray && !hides_sea(at.distance, far_hit) {
+        // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
+        let surface = place_on_ellipsoid(direction, far_hit);
+        if !surface.ground.is_ocean { at = surface; }
+    }
+    let distance = at.distance;
+    let ground = at.ground;
+    let up = at.dn + vec3f(0.0, 0.0, 1.0);
+    let footprint = distance * frame.pixel_angle / sqrt(max(abs(dot(direction, up)), 0.05));
 
-    let shows_sea = ground.is_ocean && (frame.layers & SHOWS_SEA) != 0u;
-    let sea_covers = shows_sea && !hides_sea(distance, far_hit);
-    if shows_sea && frame.under_water == 0u && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+    let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
+    if ground.is_ocean && shows_sea && seen_from_air && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+        // A coarse triangle between a hill and the bed.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
         if frame.output == PICTURE {
             // On the limb the sea's own rays decide, and the sky is what they may miss.
-            if FROM_SPACE && !is_inside_limb(eye_ray(-to_eye)) { discard; }
+            if FROM_SPACE && !is_inside_limb(ray) { discard; }
             return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
         }
     }
 
-    // Slopes over one texel of the terrain tile that is at hand, in metres per metre east and north.
-    let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let level = level_for(point, footprint, cos_lat);
-    let resident = pages_at(point, level).terrain.level;
-    let east_step = vec2u(1u << (24u - resident), 0u);
-    let south_step = east_step.yx;
-    let metres = 2.0 * texel_metres(point, f32(resident), sin_lat);
-    let dx = (terrain_at(point, resident, east_step) - terrain_at(point, resident, vec2u(0u) - east_step)) / metres;
-    let dy = (terrain_at(point, resident, vec2u(0u) - south_step) - terrain_at(point, resident, south_step)) / metres;
-    let slope = vec2f(dx, dy) * select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
     let east = normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
     let north = cross(up, east);
+    let slope = ground_slope(at.point, at.sin_lat, ground, footprint);
     // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
     let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
 
@@ -180,14 +138,14 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let daylight = daylight_at(mu_sun);
     let sun = daylight.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, mu_sun);
     let ambient = daylight.sky * (0.6 + 0.4 * dot(normal, up));
-    var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
+    var albedo = natural_colour(ground.elevation, length(slope), at.sin_lat, patchiness(at.point.at, footprint));
     if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
     albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
         * select(1.0, 0.0, ground.is_ocean));
     var radiance = albedo / PI * (sun + ambient);
     if ground.is_lake {
         let shore = smoothstep(0.0, 60.0 + footprint, ground.lake_shore);
-        let lake = water_radiance(WaterPoint(to_eye, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0), daylight);
+        let lake = water_radiance(WaterPoint(-direction, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0), daylight);
         radiance = mix(radiance, lake, shore);
     }
     if frame.under_water == 1u {
@@ -195,10 +153,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
     } else if !sea_covers {
-        let air = haze(-to_eye, distance);
+        let air = haze(direction, distance);
         radiance = radiance * air.transmittance + air.radiance;
     }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);
-    let rest = surface_from_normal_delta(dn);
+    let rest = surface_from_normal_delta(at.dn);
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, normal, water_class, 0.0), radiance);
 }

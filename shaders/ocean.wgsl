@@ -134,12 +134,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         rest = direction * distance;
         moved = rest;
     }
-    // Land in front of the water hides it; the bed just under it does not.
+    // Land in front of the water hides it, its bed does not.
     let pixel = vec2u(in.position.xy);
     let land_depth = textureLoad(scene_depth, pixel, 0);
     let axis_distance = dot(moved, frame.ray_forward);
-    // 0.4 % of the distance and 2 m cover the chords of the land's triangles; depth = NEAR / distance.
-    if land_depth * (axis_distance * 0.996 - 2.0) > NEAR {
+    // Depth = NEAR / distance.
+    if land_depth * nearest_bed(axis_distance) > NEAR {
         discard;
         return vec4f(0.0);
     }

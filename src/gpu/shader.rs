@@ -6,39 +6,17 @@ use std::collections::HashSet;
 
 use crate::scene::frame::uniform::{self, FoamLevel, FrameUniform, WaveAnchor, WaveCell};
 
+macro_rules! libraries {
+    ($($name:literal),+ $(,)?) => { &[$(($name, include_str!(concat!("../../shaders/lib/", $name, ".wgsl")))),+] };
+}
+
 /// Every shader library by name; `frame_memory` is declared in Rust.
-pub const LIBRARY: &[(&str, &str)] = &[
-    ("air", include_str!("../../shaders/lib/air.wgsl")),
-    ("air_coordinates", include_str!("../../shaders/lib/air_coordinates.wgsl")),
-    ("atmosphere", include_str!("../../shaders/lib/atmosphere.wgsl")),
-    ("bisected_mesh", include_str!("../../shaders/lib/bisected_mesh.wgsl")),
-    ("bisection_tree", include_str!("../../shaders/lib/bisection_tree.wgsl")),
-    ("bisector_pieces", include_str!("../../shaders/lib/bisector_pieces.wgsl")),
-    ("bisectors", include_str!("../../shaders/lib/bisectors.wgsl")),
-    ("brdf", include_str!("../../shaders/lib/brdf.wgsl")),
-    ("cuboid", include_str!("../../shaders/lib/cuboid.wgsl")),
-    ("domain", include_str!("../../shaders/lib/domain.wgsl")),
-    ("ellipsoid", include_str!("../../shaders/lib/ellipsoid.wgsl")),
-    ("exchange_1", include_str!("../../shaders/lib/exchange_1.wgsl")),
-    ("exchange_2", include_str!("../../shaders/lib/exchange_2.wgsl")),
-    ("exchange_4", include_str!("../../shaders/lib/exchange_4.wgsl")),
-    ("foam", include_str!("../../shaders/lib/foam.wgsl")),
-    ("frame", include_str!("../../shaders/lib/frame.wgsl")),
-    ("hash", include_str!("../../shaders/lib/hash.wgsl")),
-    ("light", include_str!("../../shaders/lib/light.wgsl")),
-    ("map", include_str!("../../shaders/lib/map.wgsl")),
-    ("noise", include_str!("../../shaders/lib/noise.wgsl")),
-    ("output", include_str!("../../shaders/lib/output.wgsl")),
-    ("projected_grid", include_str!("../../shaders/lib/projected_grid.wgsl")),
-    ("scattering", include_str!("../../shaders/lib/scattering.wgsl")),
-    ("sky_coordinates", include_str!("../../shaders/lib/sky_coordinates.wgsl")),
-    ("stockham", include_str!("../../shaders/lib/stockham.wgsl")),
-    ("sunlight", include_str!("../../shaders/lib/sunlight.wgsl")),
-    ("trigonometry", include_str!("../../shaders/lib/trigonometry.wgsl")),
-    ("water", include_str!("../../shaders/lib/water.wgsl")),
-    ("wave_tiles", include_str!("../../shaders/lib/wave_tiles.wgsl")),
-    ("waves", include_str!("../../shaders/lib/waves.wgsl")),
-    ("world", include_str!("../../shaders/lib/world.wgsl")),
+#[rustfmt::skip]
+pub const LIBRARY: &[(&str, &str)] = libraries![
+    "air", "air_coordinates", "atmosphere", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf",
+    "cuboid", "domain", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "frame", "ground_colour",
+    "ground_slope", "hash", "light", "map", "noise", "output", "projected_grid", "scattering", "sky_coordinates",
+    "stockham", "sunlight", "trigonometry", "water", "wave_tiles", "waves", "world",
 ];
 
 /// The complete text of a shader: imports resolved, `definitions` put first.
