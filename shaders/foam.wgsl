@@ -1,6 +1,6 @@
-// Foam in time, on the squares of the foam map: born where the chop folds, then fading; see src/model/foam.rs.
+// Foam in time, on the levels of the foam map: born where the chop folds, then fading; see src/model/foam.rs.
 #import foam
-#import wave_tiles
+#import wave_patches
 
 struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
@@ -8,7 +8,7 @@ struct FoamStep {
     keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
     cells: u32,                // wave cells that serve the map, the first of all
-    due: u32,                  // a bit for each square that time passes on, and whose waves ever fold; one at least where time passes
+    due: u32,                  // a bit for each level that time passes on, and whose waves ever fold; one at least where time passes
     unused: u32,
 }
 
@@ -16,7 +16,7 @@ struct FoamStep {
 @group(2) @binding(1) var next: texture_storage_2d<FORMAT, write>;
 
 // A cascade's longest waves are a sixth of it: under two footprints, of which the filter leaves next to nothing.
-const SHORTEST_TILE_TEXELS: f32 = 10.0;
+const SHORTEST_PATCH_TEXELS: f32 = 10.0;
 
 // The texel of the world that is kept in a slot while the eye is in texel `eye`.
 fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
@@ -31,21 +31,21 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     var left = cells.cells;
     loop {
         let here = in_cell(firstTrailingBit(left), p, cells);
-        // The longest tile comes first, and is always long enough.
+        // The longest patch comes first, and is always long enough.
         var c = 0u;
         loop {
-            let tile = cascade_around(here, c, footprint, texels);
+            let around = cascade_around(here, c, footprint, texels);
             var k = 0u;
             loop {
-                let w = here.share * tile.triangle.weights[k];
-                let laid = cascade_placement(here.plane, c, tile.triangle, k, texels);
-                let own = textureSampleLevel(stretches, repeated, laid.at, c, tile.lod).xyz;
+                let w = here.share * around.triangle.weights[k];
+                let laid = cascade_placement(here.plane, c, around.triangle, k, texels);
+                let own = textureSampleLevel(stretches, repeated, laid.at, c, around.lod).xyz;
                 sum += turned(w * own, laid.axis_x, laid.axis_y);
                 k++;
-                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || around.triangle.weights[k] <= 0.0 { break; }
             }
             c++;
-            if c == frame.cascade_count || frame.patches[c] < SHORTEST_TILE_TEXELS * footprint { break; }
+            if c == frame.cascade_count || frame.patches[c] < SHORTEST_PATCH_TEXELS * footprint { break; }
         }
         left &= left - 1u;
         if left == 0u { break; }
@@ -53,16 +53,16 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     return 0.5 * (sum.x + sum.y) - length(vec2f(0.5 * (sum.x - sum.y), sum.z));
 }
 
-// What the map knows of the texel of the world in a slot of a square.
+// What the map knows of the texel of the world in a slot of a level.
 fn known(slot: vec2i, before: vec4f, level: u32) -> f32 {
-    let square = frame.foam_levels[level];
-    // Nothing that this square can hold folds: it has its share everywhere.
-    if square.threshold < -1e8 { return frame.whitecaps; }
+    let here = frame.foam_levels[level];
+    // Nothing that this level can hold folds: it has its share everywhere.
+    if here.threshold < -1e8 { return frame.whitecaps; }
     if now.empty == 1u { return 0.0; }
-    let world = world_texel(slot, square.texel);
+    let world = world_texel(slot, here.texel);
     let was = world - now.previous[level].xy;
     if all(was >= vec2i(-FOAM_TEXELS / 2)) && all(was < vec2i(FOAM_TEXELS / 2)) { return before[level]; }
-    // New in this square: the next coarser one, whose texels are three times as wide, knows the place.
+    // New in this level: the next coarser one, whose texels are three times as wide, knows the place.
     let coarser = vec2i(floor((vec2f(world) + 0.5) / 3.0)) & vec2i(FOAM_TEXELS - 1);
     return select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
 }
@@ -72,7 +72,7 @@ fn all_known(slot: vec2i) -> vec4f {
     return vec4f(known(slot, before, 0u), known(slot, before, 1u), known(slot, before, 2u), known(slot, before, 3u));
 }
 
-// The squares follow the eye; no time passes.
+// The levels follow the eye; no time passes.
 @compute @workgroup_size(8, 8)
 fn follow(@builtin(global_invocation_id) id: vec3u) {
     let slot = vec2i(id.xy);
@@ -88,12 +88,12 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
     var left = now.due;
     loop {
         let level = firstTrailingBit(left);
-        let square = frame.foam_levels[level];
+        let here = frame.foam_levels[level];
         let foam = after[level];
-        let world = world_texel(slot, square.texel);
-        let offset = (vec2f(world - square.texel) + 0.5 - square.fraction) * square.side;
+        let world = world_texel(slot, here.texel);
+        let offset = (vec2f(world - here.texel) + 0.5 - here.fraction) * here.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
-        let breaking = clamp((square.threshold - smaller_eigenvalue(p, square.side)) / square.softness, 0.0, 1.0);
+        let breaking = clamp((here.threshold - smaller_eigenvalue(p, here.side)) / here.softness, 0.0, 1.0);
         after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
         left &= left - 1u;
         if left == 0u { break; }

@@ -109,7 +109,7 @@ impl CpuSea {
         [part(0, |c| c.re), part(1, |c| c.re), part(1, |c| c.im)]
     }
 
-    /// The octaves and their slopes, drifted by a share of the tile.
+    /// The octaves and their slopes, drifted by a share of the patch.
     pub fn perlin(&mut self, drift: f32) {
         let Self { n, lattices, noise, heights, .. } = self;
         let n = *n;
@@ -134,7 +134,7 @@ impl CpuSea {
     }
 }
 
-/// Gradient noise at a place of the unit tile.
+/// Gradient noise at a place of the unit patch.
 fn gradient_noise(lattice: &[[f32; 2]], x: f32, y: f32) -> f32 {
     let cells = lattice.len().isqrt();
     let (x, y) = (x * cells as f32, y * cells as f32);

@@ -1,4 +1,4 @@
-//! Our passes, ready to run: the wave transform of a white tile and the far sea's noise; verified before they are timed.
+//! Our passes, ready to run: the wave transform of a white patch and the far sea's noise; verified before they are timed.
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::model::surface::{self, Fields};
@@ -12,7 +12,7 @@ use crate::measure::{assert_close, submit};
 /// Seconds of the instant that is verified; a whole number of ticks.
 const INSTANT_S: f64 = 1234.5;
 
-/// A tile of white noise: amplitudes, frequencies.
+/// A patch of white noise: amplitudes, frequencies.
 pub fn white(n: usize) -> (Cascade, Vec<[f64; 2]>, Vec<f64>) {
     let cascade = Cascade { n, patch_m: 300.0, k_min: 0.0, k_max: f64::INFINITY };
     let amplitude = |index: usize| {
@@ -26,7 +26,7 @@ pub fn white(n: usize) -> (Cascade, Vec<[f64; 2]>, Vec<f64>) {
     (cascade, h0, omegas)
 }
 
-/// The pass with the same white noise in each of some tiles.
+/// The pass with the same white noise in each of some patches.
 pub fn fft(gpu: &Gpu, n: usize, layers: usize, precision: Precision) -> Fft {
     let (cascade, h0, omegas) = white(n);
     let mut data = WaveData::default();

@@ -27,7 +27,7 @@ const SIZES: [(usize, f64); 4] = [(128, 4.01), (512, 7.50), (1024, 10.57), (2048
 /// The picture of the paper's whole frame.
 const PICTURE: [u32; 2] = [1920, 1080];
 const ROUNDS: usize = 5;
-const TILES: usize = 4;
+const PATCHES: usize = 4;
 /// Bytes of an element of the drawn form that must move, by count: amplitude 8 and frequency 8 in, halfway 16 out and in, three texels
 /// of 8 out. The mirrored amplitude, read a second time, is taken to come from a cache.
 const BYTES: u64 = 8 + 8 + 16 + 16 + 3 * 8;
@@ -68,7 +68,7 @@ fn cpu_ms(n: usize) -> f64 {
 }
 
 pub fn heights_and_normals(gpu: &Gpu) -> Value {
-    println!("Heights and normals of FFT and Perlin together, one tile, ms per update");
+    println!("Heights and normals of FFT and Perlin together, one patch, ms per update");
     println!(
         "CPU: {} threads, rustfft, heights and slopes; GPU: these, displacements, gradients and products",
         cpu::THREADS
@@ -93,7 +93,7 @@ pub fn heights_and_normals(gpu: &Gpu) -> Value {
 }
 
 pub fn frame(gpu: &Gpu) -> Value {
-    println!("Whole frame, 256² tiles, {} x {}, a gale from 2 m", PICTURE[0], PICTURE[1]);
+    println!("Whole frame, 256² patches, {} x {}, a gale from 2 m", PICTURE[0], PICTURE[1]);
     let Ok(mut renderer) = headless("www/data", Radiance::Half) else {
         println!("not measured: no world in www/data");
         return json!("not measured");
@@ -143,15 +143,15 @@ fn copy(gpu: &Gpu) -> (f64, f64) {
 }
 
 pub fn counts(gpu: &Gpu) -> Value {
-    println!("Waves of a frame by count, {TILES} tiles, drawn form (16-bit floats)");
+    println!("Waves of a frame by count, {PATCHES} patches, drawn form (16-bit floats)");
     println!(
         "{:>6} {:>14} {:>14} {:>10} {:>10} {:>16}",
         "size", "FFT dispatches", "mip dispatches", "FFT MB", "FFT ms", "of a copy's GB/s"
     );
     let (_, copied) = copy(gpu);
     let row = |n: usize| {
-        let fft = ours::fft(gpu, n, TILES, Precision::Half);
-        let bytes = BYTES * (n * n * TILES) as u64;
+        let fft = ours::fft(gpu, n, PATCHES, Precision::Half);
+        let bytes = BYTES * (n * n * PATCHES) as u64;
         let work: Work = &|pass| fft.dispatch(pass);
         let ms = pass_ms(gpu, &[work])[0].unwrap_or_else(|| wall_ms(gpu, BUDGET_S, work));
         let share = bytes as f64 / ms * 1e3 / copied;
@@ -159,8 +159,8 @@ pub fn counts(gpu: &Gpu) -> Value {
         println!("{n:>6} {waves:>14} {mips:>14} {:>10.1} {ms:>10.3} {share:>16.3}", bytes as f64 * 1e-6);
         assert!(waves <= 6, "{waves} dispatches");
         // Three textures read once; their levels are a third of it.
-        let mip_bytes = (n * n * TILES) as u64 * 3 * 8 * 4 / 3;
-        json!({ "size": n, "tiles": TILES, "passes": 1, "submits": 1, "fft_dispatches": waves, "mip_dispatches": mips,
+        let mip_bytes = (n * n * PATCHES) as u64 * 3 * 8 * 4 / 3;
+        json!({ "size": n, "patches": PATCHES, "passes": 1, "submits": 1, "fft_dispatches": waves, "mip_dispatches": mips,
             "fft_bytes": bytes, "mip_bytes": mip_bytes, "fft_ms": ms, "traffic_over_copy": share })
     };
     let rows: Vec<Value> = [256, 512, 1024].into_iter().map(row).collect();
@@ -172,7 +172,7 @@ pub fn counts(gpu: &Gpu) -> Value {
 }
 
 pub fn passes(gpu: &Gpu) -> Value {
-    let fft = ours::fft(gpu, 256, TILES, Precision::Half);
+    let fft = ours::fft(gpu, 256, PATCHES, Precision::Half);
     let perlin = perlin(gpu, TEXELS as u32);
     let works: [(&str, Work); 5] = [
         ("FFT", &|pass| fft.dispatch(pass)),
@@ -184,7 +184,7 @@ pub fn passes(gpu: &Gpu) -> Value {
             perlin.dispatch(pass);
         }),
     ];
-    println!("Passes of {TILES} x 256², ms: wall time of each alone, and the device's timestamps");
+    println!("Passes of {PATCHES} x 256², ms: wall time of each alone, and the device's timestamps");
     let stamped = pass_ms(gpu, &works.map(|(_, work)| work));
     let walls = works.map(|(_, work)| wall_ms(gpu, BUDGET_S, work));
     for (((name, _), wall), stamped) in works.iter().zip(walls).zip(&stamped) {
@@ -197,12 +197,12 @@ pub fn passes(gpu: &Gpu) -> Value {
         .zip(walls)
         .zip(stamped)
         .map(|(((name, _), wall), stamped)| json!({ "pass": name, "wall_ms": wall, "timestamps_ms": stamped }));
-    json!({ "tiles": TILES, "size": 256, "passes": rows.collect::<Value>(), "overlap_wall": overlap })
+    json!({ "patches": PATCHES, "size": 256, "passes": rows.collect::<Value>(), "overlap_wall": overlap })
 }
 
 pub fn peers(gpu: &Gpu) -> Value {
     println!(
-        "Peers: four fields of one tile, without evolution and unpacking, which ours includes; {ROUNDS} rounds A B B A"
+        "Peers: four fields of one patch, without evolution and unpacking, which ours includes; {ROUNDS} rounds A B B A"
     );
     println!("{:<44} {:>5} {:>10} {:>9} {:>22}", "", "size", "dispatches", "MB", "time over ours (range)");
     let mut rows = Vec::new();

@@ -1,5 +1,5 @@
-// Where a point of the sea lies in the wave tiles: which cells serve it, which vertices of a tile's lattice in a cell's plane, and where
-// each of them lays the tile. A drawing and the reasons: src/model/wave_domain.rs, which does the same in f64.
+// Where a point of the sea lies in the wave patches: which cells serve it, which vertices of a patch's lattice in a cell's plane, and where
+// each of them lays the patch. A drawing and the reasons: src/model/wave_domain.rs, which does the same in f64.
 #import ellipsoid
 #import hash
 
@@ -7,7 +7,7 @@ const BLEND_WIDTH: Metres = 9000.0;
 const LEAST_SHARE: f32 = 0.2;
 const ROW: f32 = 0.875;
 const POLAR_REACH: f32 = 0.0133;
-const PERLIN_TILE = 4u;
+const PERLIN_PATCH = 4u;
 
 // What the weights of the cells that serve a point depend on: the distance to the nearest one, and their norm. A bit of `cells` for each
 // that serves: nearly everywhere one alone does, and loops over the bits meet no other.
@@ -47,7 +47,7 @@ fn cell_weight(cell: u32, p: vec3f, cells: Serving) -> f32 {
     return reach_weight(cell, p, cells.nearest) * cells.norm;
 }
 
-// What all tiles of a cell have in common, fetched once: see WaveCell.
+// What all patches of a cell have in common, fetched once: see WaveCell.
 struct Plane { cell: u32, axis_x: vec3f, axis_y: vec3f, cos_lat: f32, turn: f32, polar_north: vec2f, wind: vec2f, key: u32 }
 
 fn plane_of(cell: u32) -> Plane {
@@ -61,7 +61,7 @@ fn in_plane(plane: Plane, p: vec3f) -> vec2f {
 }
 
 // The triangle of a lattice around a point.
-struct Triangle {
+struct LatticeTriangle {
     corner: vec2i,             // vertex at the lattice cell's origin
     arm: vec2f,                // from it to the point, metres
     down: bool,                // which half of the lattice cell
@@ -70,8 +70,8 @@ struct Triangle {
 }
 
 // `q` in the cell's plane, metres about the eye.
-fn triangle_around(plane: Plane, tile: u32, spacing: Metres, q: vec2f) -> Triangle {
-    let anchor = wave_cells[plane.cell].anchors[tile];
+fn lattice_triangle(plane: Plane, patch_index: u32, spacing: Metres, q: vec2f) -> LatticeTriangle {
+    let anchor = wave_cells[plane.cell].anchors[patch_index];
     let r = anchor.eye + q;
     let v = r.y / (ROW * spacing);
     let u = r.x / spacing - 0.5 * v;
@@ -86,7 +86,7 @@ fn triangle_around(plane: Plane, tile: u32, spacing: Metres, q: vec2f) -> Triang
     if weights.y < weights.z { weights = weights.xzy; order = order.xzy; }
     // Spacings have six significant bits: these multiples are exact.
     let corner = vec2f((low.x + 0.5 * low.y) * spacing, low.y * ROW * spacing);
-    return Triangle(anchor.vertex + vec2i(low), r - corner, down, weights * inverseSqrt(dot(weights, weights)), order);
+    return LatticeTriangle(anchor.vertex + vec2i(low), r - corner, down, weights * inverseSqrt(dot(weights, weights)), order);
 }
 
 // North at a place of a cell's plane, metres from its centre; a unit vector.
@@ -105,15 +105,15 @@ fn north_at(plane: Plane, place: vec2f) -> vec2f {
     return north * (1.5 - 0.5 * dot(north, north));
 }
 
-// A tile as one vertex lays it under a point.
+// A patch as one vertex lays it under a point.
 struct Placement {
-    at: vec2f,                 // in the tile, tile lengths
+    at: vec2f,                 // in the patch, patch lengths
     axis_x: vec2f,             // its axes, level, east and north at the eye; x where the waves travel to
     axis_y: vec2f,
 }
 
 // The k-th of the triangle's vertices by weight.
-fn placement(plane: Plane, tile: u32, spacing: Metres, patch_length: Metres, triangle: Triangle, k: u32) -> Placement {
+fn placement(plane: Plane, patch_index: u32, spacing: Metres, patch_length: Metres, triangle: LatticeTriangle, k: u32) -> Placement {
     let which = triangle.order[k];
     let one = vec2i(i32(which == 1u), i32(which == 2u));
     let step = select(one, vec2i(1) - one, triangle.down);
@@ -126,7 +126,7 @@ fn placement(plane: Plane, tile: u32, spacing: Metres, patch_length: Metres, tri
     let level = arm + vec2f(less * arm.x - north.x * arm.y, north.x * arm.x + less * arm.y);
     let wind = plane.wind;
     let along = vec2f(-wind.x * level.x - wind.y * level.y, wind.y * level.x - wind.x * level.y);
-    let bits = hash(vec3u(bitcast<vec2u>(vertex), plane.key + tile * 0x9E3779B9u));
+    let bits = hash(vec3u(bitcast<vec2u>(vertex), plane.key + patch_index * 0x9E3779B9u));
     // About zero, so that the sum is rounded least.
     let offset = vec2f(f32(bits >> 16u), f32(bits & 0xFFFFu)) / 65536.0 - 0.5;
     let axes = mat2x2f(plane.axis_x.xy, plane.axis_y.xy);

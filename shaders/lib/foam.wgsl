@@ -2,7 +2,7 @@
 #import domain
 #import hash
 
-@group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per square; see src/scene/sea/foam.rs
+@group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per level; see src/scene/sea/foam.rs
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
@@ -16,7 +16,7 @@ fn foam_coordinates(p: vec3f) -> vec2f {
 
 // Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for.
 fn share_beyond(height: Metres, footprint: Metres) -> f32 {
-    // The triangles are four footprints wide: before they flatten the longest waves, a fifth of the tile, crests must not matter.
+    // The triangles are four footprints wide: before they flatten the longest waves, a fifth of the patch, crests must not matter.
     let contrast = 0.8 * (1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)));
     let deviations = 4.0 * height / max(frame.wave_height, 1e-3);
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
@@ -42,14 +42,14 @@ fn foam_between(origin: vec2i, texels: vec2f, level: u32) -> f32 {
         mix(textureLoad(foam_map, (cell + vec2i(0, 1)) & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 1)) & mask, 0)[level], f.x), f.y);
 }
 
-// Weight of a square whose texels are as wide as `side`: 1 for footprints under 0.35 of that, 0 over 2.5 times that. Even in the
-// logarithm: neighbouring squares have whitecaps of their own, and whoever rises must not see the one give way to the other.
+// Weight of a level whose texels are as wide as `side`: 1 for footprints under 0.35 of that, 0 over 2.5 times that. Even in the
+// logarithm: neighbouring levels have whitecaps of their own, and whoever rises must not see the one give way to the other.
 fn coarser_than(side: Metres, footprint: Metres) -> f32 {
     return clamp((1.32 - log2(footprint / side)) / 2.82, 0.0, 1.0);
 }
 
-// Share covered, 0…1, of a rest point with the water at `height`. Each square serves as far as it reaches and while its texels are
-// not much finer than the footprint; what no square serves has the share that the wind asks for.
+// Share covered, 0…1, of a rest point with the water at `height`. Each level serves as far as it reaches and while its texels are
+// not much finer than the footprint; what no level serves has the share that the wind asks for.
 fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
     let beyond = share_from_afar(height, footprint);
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
@@ -61,10 +61,10 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
     while first + 1u < FOAM_LEVELS && coarser_than(frame.foam_levels[first].side, footprint) <= 0.0 { first++; }
     var level = first;
     loop {
-        let square = frame.foam_levels[level];
-        let reach = max(abs(at.x), abs(at.y)) / (square.side * f32(FOAM_TEXELS / 2));
-        let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(square.side, footprint);
-        if weight > 0.0 { share += weight * foam_between(square.texel, square.fraction + at / square.side, level); }
+        let here = frame.foam_levels[level];
+        let reach = max(abs(at.x), abs(at.y)) / (here.side * f32(FOAM_TEXELS / 2));
+        let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(here.side, footprint);
+        if weight > 0.0 { share += weight * foam_between(here.texel, here.fraction + at / here.side, level); }
         open -= weight;
         level++;
         if level == FOAM_LEVELS || open <= 0.0 { break; }

@@ -6,9 +6,9 @@
 alias Metres = f32;
 
 const FOAM_LEVELS = 4u;
-const FOAM_TEXELS: i32 = 256;     // along a side of a square of the foam map
+const FOAM_TEXELS: i32 = 256;     // along a side of a level of the foam map
 
-const TILES = 5u;              // that have a lattice: the cascades, then the Perlin tile
+const PATCHES = 5u;              // that have a lattice: the cascades, then the Perlin patch
 
 const MAX_CELLS = 24u;
 const NEAR: Metres = 0.1;      // reversed depth = NEAR / (distance along the view axis), no far plane

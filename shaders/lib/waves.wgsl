@@ -1,10 +1,10 @@
-// The sea surface at a point: FFT tiles near, the Perlin tile far, laid out by the cells of the wave domain.
+// The sea surface at a point: FFT patches near, the Perlin patch far, laid out by the cells of the wave domain.
 //
 // Its nested loops run at least once (`serving` always finds a cell) and end at their foot, by a `break`: where many lanes share an instruction, as on any processor that stands in
 // for a graphics card, a loop that is tested at its head runs its body once more with nobody in it, and nested ones do so each time.
 //
-// Who imports this declares `WAVES` and `NOISE`: whether the wave tiles and the Perlin tile show at all.
-#import wave_tiles
+// Who imports this declares `WAVES` and `NOISE`: whether the wave patches and the Perlin patch show at all.
+#import wave_patches
 
 // Weights of the FFT and the Perlin field; their squares sum to one, so that the variance stays.
 fn mix_weights(distance: Metres) -> vec2f {
@@ -13,7 +13,7 @@ fn mix_weights(distance: Metres) -> vec2f {
     return vec2f(sqrt(1.0 - perlin_energy), sqrt(perlin_energy));
 }
 
-// Displacement (east, north, up) of the rest point `p`. A tile's axes lie in the plane of its cell's centre; here the water moves level.
+// Displacement (east, north, up) of the rest point `p`. A patch's axes lie in the plane of its cell's centre; here the water moves level.
 fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     if !(WAVES || NOISE) || !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
@@ -26,13 +26,13 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         let here = in_cell(firstTrailingBit(left), p, cells);
         var c = 0u;
         if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
-            let tile = cascade_around(here, c, footprint, texels);
-            let triangle = served(tile.triangle, c < shown.clear);
+            let around = cascade_around(here, c, footprint, texels);
+            let triangle = served(around.triangle, c < shown.clear);
             var k = 0u;
             loop {
-                let w = here.share * triangle.weights[k] * weights.x * tile.fade;
+                let w = here.share * triangle.weights[k] * weights.x * around.fade;
                 let laid = cascade_placement(here.plane, c, triangle, k, texels);
-                let own = w * textureSampleLevel(displacements, repeated, laid.at, c, tile.lod).xyz;
+                let own = w * textureSampleLevel(displacements, repeated, laid.at, c, around.lod).xyz;
                 sum += vec3f(frame.chop * (own.x * laid.axis_x + own.y * laid.axis_y), own.z);
                 k++;
                 if k == 3u || triangle.weights[k] <= 0.0 { break; }
@@ -42,14 +42,14 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         } }
         let fade = weights.y * resolvable(footprint, frame.perlin_patch);
         if NOISE && fade > 0.0 {
-            let tile = perlin_around(here, footprint);
+            let around = perlin_around(here, footprint);
             var k = 0u;
             loop {
-                let w = here.share * tile.triangle.weights[k] * fade;
-                let laid = perlin_placement(here.plane, tile.triangle, k);
-                sum.z += w * textureSampleLevel(perlin, repeated, laid.at, tile.lod).x;
+                let w = here.share * around.triangle.weights[k] * fade;
+                let laid = perlin_placement(here.plane, around.triangle, k);
+                sum.z += w * textureSampleLevel(perlin, repeated, laid.at, around.lod).x;
                 k++;
-                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || around.triangle.weights[k] <= 0.0 { break; }
             }
         }
         left &= left - 1u;
@@ -82,7 +82,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
     var gradient = vec3f(0.0);    // of the chop, in east-north axes
-    // Squares of all weights sum to one: what no tile shows counts once.
+    // Squares of all weights sum to one: what no patch shows counts once.
     let near = weights.x * weights.x;
     let far = weights.y * weights.y;
     var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
@@ -93,18 +93,18 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         let here = in_cell(firstTrailingBit(left), p, cells);
         var c = 0u;
         if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
-            let tile = cascade_around(here, c, footprint, texels);
-            let triangle = served(tile.triangle, c < shown.clear);
+            let around = cascade_around(here, c, footprint, texels);
+            let triangle = served(around.triangle, c < shown.clear);
             var k = 0u;
             loop {
                 let w = here.share * triangle.weights[k] * weights.x;
                 let laid = cascade_placement(here.plane, c, triangle, k, texels);
-                let means = textureSampleLevel(slopes, repeated, laid.at, c, tile.lod);
-                let seen = tile.fade * means.xy;
+                let means = textureSampleLevel(slopes, repeated, laid.at, c, around.lod);
+                let seen = around.fade * means.xy;
                 slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
                 rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
                 if c < shown.clear && frame.chop > 0.0 {
-                    let stretch = textureSampleLevel(stretches, repeated, laid.at, c, tile.lod).xyz;
+                    let stretch = textureSampleLevel(stretches, repeated, laid.at, c, around.lod).xyz;
                     gradient += turned(w * frame.chop * stretch, laid.axis_x, laid.axis_y);
                 }
                 k++;
@@ -114,20 +114,20 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
             if c == shown.all { break; }
         } }
         if NOISE && weights.y > 0.0 {
-            let tile = perlin_around(here, footprint);
+            let around = perlin_around(here, footprint);
             let own = frame.perlin_slopes.zw;
             var k = 0u;
             loop {
-                let w = here.share * tile.triangle.weights[k] * weights.y;
-                let laid = perlin_placement(here.plane, tile.triangle, k);
-                let noise = textureSampleLevel(perlin, repeated, laid.at, tile.lod);
-                let seen = tile.fade * noise.yz;
+                let w = here.share * around.triangle.weights[k] * weights.y;
+                let laid = perlin_placement(here.plane, around.triangle, k);
+                let noise = textureSampleLevel(perlin, repeated, laid.at, around.lod);
+                let seen = around.fade * noise.yz;
                 slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
-                // The tile holds the sum of both axes' squares; its own slopes say how they share it.
-                let total = mix(own.x + own.y, noise.w, tile.fade);
+                // The patch holds the sum of both axes' squares; its own slopes say how they share it.
+                let total = mix(own.x + own.y, noise.w, around.fade);
                 rough += w * w * max(total - dot(seen, seen), 0.0) * own / max(own.x + own.y, 1e-9);
                 k++;
-                if k == 3u || tile.triangle.weights[k] <= 0.0 { break; }
+                if k == 3u || around.triangle.weights[k] <= 0.0 { break; }
             }
         }
         left &= left - 1u;

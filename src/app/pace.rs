@@ -11,7 +11,7 @@ use crate::scene::settings::Quality;
 pub struct Effort {
     /// Pixels of the picture along a pixel of the canvas, over 0 to 1.
     pub scale: f64,
-    /// Quality that gives the wave tiles their samples and the grid its cells.
+    /// Quality that gives the wave patches their samples and the grid its cells.
     pub quality: Quality,
     /// Least width of a cell of the projected grid, pixels of the picture; 0: the quality's own.
     pub cell_pixels: u32,

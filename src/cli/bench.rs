@@ -27,7 +27,7 @@ use heights::{Height, Heights};
 The second table draws one gale from five heights while the eye moves. Its shares say how much longer a frame takes
   tessellation   than on a grid of a sixteenth of the vertices
   updates        than with the same bisected triangles at rest
-  noise          than where the wave tiles make the far sea as well, without the noise")]
+  noise          than where the wave patches make the far sea as well, without the noise")]
 pub struct BenchArgs {
     /// Width and height in pixels.
     #[arg(long, default_value = "640x360")]

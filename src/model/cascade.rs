@@ -1,11 +1,11 @@
-//! The periodic tiles that a sea is summed from: their sizes, their grids and which wave numbers each of them holds.
+//! The periodic patches that a sea is summed from: their sizes, their grids and which wave numbers each of them holds.
 //!
-//! # Why four tiles, and why always the same
-//! One tile that holds the storm's kilometre waves has texels of metres. Four tiles share the wave numbers in half-open rings
+//! # Why four patches, and why always the same
+//! One patch that holds the storm's kilometre waves has texels of metres. Four patches share the wave numbers in half-open rings
 //! with independent noise, so their variances add, and no two lengths have a common multiple, so their sum does not repeat
 //! with any of them. Their lengths depend on nothing: another wind changes amplitudes, but neither the waves' places on the
 //! grid nor their frequencies, so that the sea changes smoothly with every setting. Rejected: lengths that follow the peak
-//! (the sea jumps to another one as the wind changes), every tile carrying the whole spectrum (counts the same energy four
+//! (the sea jumps to another one as the wind changes), every patch carrying the whole spectrum (counts the same energy four
 //! times) and cross-fades (need weights whose squares sum to one, and gain nothing in a sum of Gaussians).
 //!
 //! ```text
@@ -13,10 +13,10 @@
 //!     |  5030 m   |    522 m    |   36.3 m    |   2.52 m    |  below the texels: mss_above
 //! ```
 
-/// How many tiles a sea is made of.
+/// How many patches a sea is made of.
 pub const CASCADES: usize = 4;
 
-/// Lengths of the tiles, m. √93 and 15 − 0.618…: q times any ratio of two of them stays 0.159/q or more from a whole number for
+/// Lengths of the patches, m. √93 and 15 − 0.618…: q times any ratio of two of them stays 0.159/q or more from a whole number for
 /// q up to 8. The first holds five of the longest waves that any grade has; the last has texels below 1 cm from N = 256 on.
 pub const PATCHES_M: [f64; CASCADES] =
     [FIRST_M, FIRST_M / RATIO_A, FIRST_M / RATIO_A / RATIO_B, { FIRST_M / RATIO_A / RATIO_B / RATIO_B }];
@@ -24,9 +24,9 @@ const FIRST_M: f64 = 5030.0;
 const RATIO_A: f64 = 9.643_650_760_992_955;
 const RATIO_B: f64 = 14.381_966_011_250_105;
 
-/// A ring starts this many steps of its own tile from the origin: fewer would be too coarse to look random.
+/// A ring starts this many steps of its own patch from the origin: fewer would be too coarse to look random.
 const RING_START: f64 = 6.0;
-/// Share of a tile's highest wave number that is used; the rest would alias under the choppy displacement.
+/// Share of a patch's highest wave number that is used; the rest would alias under the choppy displacement.
 const USED_BAND: f64 = 0.9;
 
 /// A periodic grid and a ring of wave numbers: `samples` over `patch_m` along x and y. The model takes any; a [`Cascade`] is
@@ -35,7 +35,7 @@ const USED_BAND: f64 = 0.9;
 /// Element (i, j) stands at j·samples\[0\] + i; its wave vector is (n·dk\[0\], m·dk\[1\]) with n = i below half of the samples, else
 /// i − samples\[0\], and m likewise.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tile {
+pub struct Patch {
     /// Samples along x and y, powers of two.
     pub samples: [usize; 2],
     /// Lengths along x and y, m.
@@ -46,10 +46,10 @@ pub struct Tile {
     pub k_max: f64,
 }
 
-impl Tile {
+impl Patch {
     /// Steps between wave numbers along x and y, rad/m.
     pub fn dk(&self) -> [f64; 2] {
-        self.patch_m.map(|patch| std::f64::consts::TAU / patch)
+        self.patch_m.map(|length| std::f64::consts::TAU / length)
     }
 
     /// How many elements it has.
@@ -83,12 +83,12 @@ impl Tile {
 
     /// (kx, ky) of every element, in order.
     pub fn wave_vectors(&self) -> impl Iterator<Item = (f64, f64)> + use<> {
-        let tile = *self;
-        (0..tile.count()).map(move |index| tile.wave_vector(index))
+        let patch = *self;
+        (0..patch.count()).map(move |index| patch.wave_vector(index))
     }
 }
 
-/// One square tile of waves, periodic over `patch_m`, and its ring of wave numbers. The GPU knows no other kind.
+/// One square patch of waves, periodic over `patch_m`, and its ring of wave numbers. The GPU knows no other kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cascade {
     /// Samples along each side, a power of two.
@@ -101,7 +101,7 @@ pub struct Cascade {
     pub k_max: f64,
 }
 
-impl From<&Cascade> for Tile {
+impl From<&Cascade> for Patch {
     fn from(c: &Cascade) -> Self {
         Self { samples: [c.n; 2], patch_m: [c.patch_m; 2], k_min: c.k_min, k_max: c.k_max }
     }
@@ -113,15 +113,15 @@ impl Cascade {
         std::f64::consts::TAU / self.patch_m
     }
 
-    /// (kx, ky) of every element, in order: see [`Tile`].
+    /// (kx, ky) of every element, in order: see [`Patch`].
     pub fn wave_vectors(&self) -> impl Iterator<Item = (f64, f64)> + use<> {
-        Tile::from(self).wave_vectors()
+        Patch::from(self).wave_vectors()
     }
 }
 
-/// The rings of the four tiles, the longest first, with `n` samples along each side (a power of two, at least 32).
+/// The rings of the four patches, the longest first, with `n` samples along each side (a power of two, at least 32).
 ///
-/// Each ring starts `RING_START` steps of its own tile from the origin. The longer tile reaches as far from n = 256 on; at
+/// Each ring starts `RING_START` steps of its own patch from the origin. The longer patch reaches as far from n = 256 on; at
 /// n = 128 the rings of the two shortest start at 4 steps, at n = 64 at 2, which still holds all the energy but looks coarse.
 pub fn cascades(n: usize) -> [Cascade; CASCADES] {
     let highest = |i: usize| USED_BAND * std::f64::consts::PI * n as f64 / PATCHES_M[i];

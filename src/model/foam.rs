@@ -15,7 +15,7 @@
 
 mod thresholds;
 
-pub use thresholds::{INSTANTS, POINTS, SHORTEST_TILE_TEXELS, Simulation, folds, kept};
+pub use thresholds::{INSTANTS, POINTS, SHORTEST_PATCH_TEXELS, Simulation, folds, kept};
 
 /// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
 pub const LIFETIME_S: f64 = 3.85;

@@ -1,5 +1,5 @@
-//! The drawn surface at one place, its waves summed there one by one, each as the linear interpolation between its tile's samples
-//! leaves it: the surface of [`super::drawn_tiles`] without their transforms, for an eye that rides on it.
+//! The drawn surface at one place, its waves summed there one by one, each as the linear interpolation between its patch's samples
+//! leaves it: the surface of [`super::drawn_patches`] without their transforms, for an eye that rides on it.
 //!
 //! Where the water at a place has come from is found with the few waves that hold most of the energy, then with all of them: an
 //! evaluation of all costs fourteen times as much, and from that close two or three of them are enough.
@@ -11,13 +11,13 @@ use super::moved_water::{Motion, Place, between_samples};
 use super::sea_tables::SeaTables;
 use super::surface::gain_of;
 use super::wave_data::WaveData;
-use super::waves::{Cascade, Tile, phase_u32};
+use super::waves::{Cascade, Patch, phase_u32};
 
 /// Waves lower than this share of the significant height do not lift the eye.
 const NOTICED: f64 = 5e-5;
 /// Share of the energy of the waves that find the place first.
 const LEADING: f64 = 0.95;
-/// Waves of a tile with higher indices than this, which only tiles of more than 256 samples have, are too low to be noticed.
+/// Waves of a patch with higher indices than this, which only patches of more than 256 samples have, are too low to be noticed.
 const HIGHEST: i32 = 128;
 /// How near the place the first waves must bring the water, and all of them, m. A slope of 0.3 makes 0.3 mm of the latter.
 const NEAR_M: [f64; 2] = [0.02, 0.001];
@@ -45,7 +45,7 @@ struct Row {
 }
 
 /// The noticed waves of a cascade: those that find the place, and the others.
-struct LiftedTile {
+struct LiftedPatch {
     n: usize,
     patch_m: f64,
     /// Columns and rows that have waves, from −`reach` to `reach`.
@@ -57,12 +57,12 @@ struct LiftedTile {
 
 /// The waves of a sea that move an eye noticeably.
 pub struct Lift {
-    tiles: Vec<LiftedTile>,
+    patches: Vec<LiftedPatch>,
     /// Cosine and sine of each of [`TURN`] steps.
     circle: Vec<Complex>,
 }
 
-/// H(k) of the waves of [`LiftedTile::rows`] at an instant.
+/// H(k) of the waves of [`LiftedPatch::rows`] at an instant.
 type Evolved = [Vec<Complex>; 2];
 
 impl Lift {
@@ -79,27 +79,28 @@ impl Lift {
             left <= 0.0
         });
         let least = last.copied().unwrap_or(0.0);
-        let tiles = tables.cascades.iter().zip(noticed).enumerate();
-        let tiles = tiles.map(|(index, (cascade, noticed))| LiftedTile::new(data, index, cascade, &noticed, least));
-        Self { tiles: tiles.collect(), circle: (0..TURN).map(|i| turned(i as f64 / TURN as f64)).collect() }
+        let patches = tables.cascades.iter().zip(noticed).enumerate();
+        let patches =
+            patches.map(|(index, (cascade, noticed))| LiftedPatch::new(data, index, cascade, &noticed, least));
+        Self { patches: patches.collect(), circle: (0..TURN).map(|i| turned(i as f64 / TURN as f64)).collect() }
     }
 
     /// How many waves these are.
     pub fn waves(&self) -> usize {
-        self.tiles.iter().flat_map(|tile| tile.rows.iter().flatten()).map(|row| row.waves.len()).sum()
+        self.patches.iter().flat_map(|patch| patch.rows.iter().flatten()).map(|row| row.waves.len()).sum()
     }
 
     /// Height of the water over `place` at a tick under a chop λ, m.
     pub fn height(&self, place: &Place, chop: f64, ticks: u64) -> f64 {
-        let evolved: Vec<Evolved> = self.tiles.iter().map(|tile| self.evolved(tile, ticks)).collect();
-        let leading = |index: usize, at| self.tiles[index].motion(&evolved[index], 1, at);
-        let all = |index: usize, at| self.tiles[index].motion(&evolved[index], 2, at);
+        let evolved: Vec<Evolved> = self.patches.iter().map(|patch| self.evolved(patch, ticks)).collect();
+        let leading = |index: usize, at| self.patches[index].motion(&evolved[index], 1, at);
+        let all = |index: usize, at| self.patches[index].motion(&evolved[index], 2, at);
         let (near, _) = place.invert_from(DVec2::ZERO, chop, NEAR_M[0], leading);
         place.invert_from(near, chop, NEAR_M[1], all).1.height
     }
 
-    fn evolved(&self, tile: &LiftedTile, ticks: u64) -> Evolved {
-        tile.rows.each_ref().map(|rows| {
+    fn evolved(&self, patch: &LiftedPatch, ticks: u64) -> Evolved {
+        patch.rows.each_ref().map(|rows| {
             let h = |wave: &Wave| {
                 let [cos, sin] = self.turn(phase_u32(wave.cycles_per_tick, ticks));
                 let [with_cos, with_sin] = wave.parts;
@@ -132,13 +133,13 @@ struct Noticed {
     j: i32,
 }
 
-/// Index in a tile of `n` by `n` samples of signed indices.
+/// Index in a patch of `n` by `n` samples of signed indices.
 fn element(i: i32, j: i32, n: usize) -> usize {
     let wrapped = |i: i32| i.rem_euclid(n as i32) as usize;
     wrapped(j) * n + wrapped(i)
 }
 
-/// Highest index of a noticed wave in a tile of `n` by `n` samples.
+/// Highest index of a noticed wave in a patch of `n` by `n` samples.
 fn reach(n: usize) -> i32 {
     HIGHEST.min(n as i32 / 2 - 1)
 }
@@ -156,18 +157,18 @@ fn noticed(tables: &SeaTables, data: &WaveData, index: usize, cascade: &Cascade)
     .collect()
 }
 
-impl LiftedTile {
+impl LiftedPatch {
     /// The noticed waves of cascade number `index`; those of at least the energy `least` lead.
     fn new(data: &WaveData, index: usize, cascade: &Cascade, noticed: &[Noticed], least: f64) -> Self {
-        let (tile, n) = (Tile::from(cascade), cascade.n);
+        let (patch, n) = (Patch::from(cascade), cascade.n);
         let (reach, h0) = (reach(n), data.amplitudes_of(index, n));
         let frequencies = data.frequencies_of(index, n);
         let mut rows = [const { Vec::<Row>::new() }; 2];
         for &Noticed { energy, i, j } in noticed {
             let rows = &mut rows[usize::from(energy < least)];
             let (with, against) = (element(i, j, n), element(-i, -j, n));
-            let (kx, ky) = tile.wave_vector(with);
-            let gain = gain_of(tile, with);
+            let (kx, ky) = patch.wave_vector(with);
+            let gain = gain_of(patch, with);
             let [[a, b], [c, d]] = [with, against].map(|i| h0[i].map(|part| gain * f64::from(part)));
             let row = (j + reach) as usize;
             if rows.last().is_none_or(|last| last.row != row) {
@@ -197,7 +198,7 @@ impl LiftedTile {
         (-self.reach..=self.reach).map(mix).collect()
     }
 
-    /// The motion at tile coordinates `at`, m, by the first `parts` of the waves.
+    /// The motion at patch coordinates `at`, m, by the first `parts` of the waves.
     fn motion(&self, evolved: &Evolved, parts: usize, at: DVec2) -> Motion {
         let (along_x, along_y) = (self.factors(at.x), self.factors(at.y));
         let mut sum = Motion::default();

@@ -8,7 +8,7 @@ pub mod beach;
 pub mod cascade;
 pub mod cuboid;
 pub mod dispersion;
-pub mod drawn_tiles;
+pub mod drawn_patches;
 pub mod earth;
 pub mod fft;
 pub mod foam;

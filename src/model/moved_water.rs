@@ -1,6 +1,7 @@
-//! From a place on the map to the water that stands there: which tiles move it, and the inversion of their chop.
+//! From a place on the map to the water that stands there: which patches move it, and the inversion of their chop.
 //!
-//! All of it follows `waves.wgsl`, `wave_tiles.wgsl` and `domain.wgsl` of `shaders/lib`, in f64: the same cells, weights, tiles and linear interpolation between texels.
+//! All of it follows `waves.wgsl`, `wave_patches.wgsl` and `domain.wgsl` of `shaders/lib`, in f64: the same cells, weights, patches and
+//! linear interpolation between texels.
 
 use std::ops::AddAssign;
 
@@ -12,7 +13,7 @@ use super::surface::ChopGradient;
 use super::wave_domain::{self, Cell, Plane, cells_near};
 use super::waves::CASCADES;
 
-/// How the waves move a point at rest; in a tile's axes, or east and north.
+/// How the waves move a point at rest; in a patch's axes, or east and north.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Height η, m.
@@ -82,8 +83,8 @@ impl Place {
         Self { foot, ecef_from_enu, serving: serving.collect(), cells, patches_m }
     }
 
-    /// The motion of the point at rest `rest` metres east and north. `tile` gives that of a cascade at its own coordinates, m.
-    pub fn motion(&self, rest: DVec2, mut tile: impl FnMut(usize, DVec2) -> Motion) -> Motion {
+    /// The motion of the point at rest `rest` metres east and north. `patch` gives that of a cascade at its own coordinates, m.
+    pub fn motion(&self, rest: DVec2, mut patch: impl FnMut(usize, DVec2) -> Motion) -> Motion {
         let point = self.foot + self.ecef_from_enu * rest.extend(0.0);
         let weights = wave_domain::blend(&self.cells, point);
         let mut sum = Motion::default();
@@ -93,7 +94,7 @@ impl Place {
             for (index, patch_m) in self.patches_m.into_iter().enumerate() {
                 for placed in plane.placements(index, patch_m, at) {
                     let [along, left] = placed.axes.map(|axis| axis.x * *x + axis.y * *y);
-                    sum += tile(index, placed.at).turned(along, left, weight * placed.weight);
+                    sum += patch(index, placed.at).turned(along, left, weight * placed.weight);
                 }
             }
         }
@@ -105,9 +106,9 @@ impl Place {
     /// First by substitution, which leaves the local stretch, some 0.3, of the error each time and does not mind that short
     /// waves differ along the way; then by Newton's steps, which also converge where the crests are about to fold. Where they
     /// have folded and several points are over the place, it is one of them.
-    pub fn invert(&self, chop: f64, tile: impl FnMut(usize, DVec2) -> Motion) -> (DVec2, Motion) {
+    pub fn invert(&self, chop: f64, patch: impl FnMut(usize, DVec2) -> Motion) -> (DVec2, Motion) {
         // A twentieth of a millimetre: nothing on a slope below 1.
-        self.invert_from(DVec2::ZERO, chop, 5e-5, tile)
+        self.invert_from(DVec2::ZERO, chop, 5e-5, patch)
     }
 
     /// As [`Place::invert`], from a rest point that may be known to be near, until the water comes within `near_m` metres of the place.
@@ -116,14 +117,14 @@ impl Place {
         start: DVec2,
         chop: f64,
         near_m: f64,
-        mut tile: impl FnMut(usize, DVec2) -> Motion,
+        mut patch: impl FnMut(usize, DVec2) -> Motion,
     ) -> (DVec2, Motion) {
         const STEPS: usize = 30;
         let substitutions = if start == DVec2::ZERO { 6 } else { 0 };
         let mut rest = start;
         let mut best = (f64::INFINITY, rest, Motion::default());
         for step in 0..STEPS {
-            let motion = self.motion(rest, &mut tile);
+            let motion = self.motion(rest, &mut patch);
             let residual = rest + chop * motion.shift;
             if residual.length() < best.0 {
                 best = (residual.length(), rest, motion);
@@ -146,7 +147,7 @@ impl Place {
     }
 }
 
-/// Where a tile coordinate in metres falls between samples: the lower index, within one period of `n`, and the way to the next,
+/// Where a patch coordinate in metres falls between samples: the lower index, within one period of `n`, and the way to the next,
 /// 0 to 1. Sample i stands at i/n of `patch_m`.
 pub fn between_samples(at: f64, patch_m: f64, n: usize) -> (usize, f64) {
     let x = at / patch_m * n as f64;

@@ -1,7 +1,7 @@
 //! The far sea as octaves of [Perlin's](crate::bibliography::Perlin1985) gradient noise, with the height and the slopes of a spectrum.
 //!
-//! Each octave takes the variance of the waves of about its length, so the tile's height variance is the spectrum's m0. What
-//! slopes four octaves cannot hold are roughness: [`Octaves::rough`] is the spectrum's slope variance less the tile's own.
+//! Each octave takes the variance of the waves of about its length, so the patch's height variance is the spectrum's m0. What
+//! slopes four octaves cannot hold are roughness: [`Octaves::rough`] is the spectrum's slope variance less the patch's own.
 //!
 //! # The noise
 //! n(p) = Σ over lattice points l of ψ(p − l) g_l·(p − l), with ψ(d) = φ(d_x) φ(d_y), φ(t) = 1 − fade(|t|), fade the quintic
@@ -13,7 +13,7 @@ use super::spectrum::DirectionalSpectrum;
 
 /// Octaves of the noise; equals `OCTAVES` in `shaders/perlin.wgsl`.
 pub const OCTAVES: usize = 4;
-/// Texels along a side of the tile.
+/// Texels along a side of the patch.
 pub const TEXELS: usize = 256;
 /// Lattice cells along the wind in the first octave; across the wind half as many, since crests are longer than wide.
 pub const PEAK_CELLS: usize = 8;
@@ -22,7 +22,7 @@ const CELLS_PER_WAVE: f64 = 1.6;
 /// Most of the spectrum's slope variance along an axis that the octaves may hold: the rest is smaller than their texels.
 const STEEPEST_SHARE: f64 = 0.9;
 
-/// The tile of a sea.
+/// The patch of a sea.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Octaves {
     /// Its side, metres.
@@ -35,7 +35,7 @@ pub struct Octaves {
     pub rough: [f64; 2],
 }
 
-/// Length of the tile in metres for a sea of a peak wavelength in metres.
+/// Length of the patch in metres for a sea of a peak wavelength in metres.
 pub fn patch_m(peak_wavelength_m: f64) -> f64 {
     // The first octave's waves are then as long as the peak's.
     (PEAK_CELLS as f64 / CELLS_PER_WAVE * peak_wavelength_m).clamp(120.0, 8_000.0)

@@ -1,4 +1,4 @@
-//! What follows from a sea once and for all: its wave tiles, and the integrals of its spectrum that the shading needs.
+//! What follows from a sea once and for all: its wave patches, and the integrals of its spectrum that the shading needs.
 
 use super::perlin::Octaves;
 use super::quadrature::simpson_log;
@@ -6,27 +6,27 @@ use super::sea::Sea;
 use super::spectrum::DirectionalSpectrum;
 use super::waves::{self, CASCADES, Cascade};
 
-/// A sea with its tiles and integrals. Slopes are variances along the wind and across it.
+/// A sea with its patches and integrals. Slopes are variances along the wind and across it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeaTables {
     /// The sea itself.
     pub sea: Sea,
     /// Period of its spectrum's peak, s; 0 for a calm.
     pub peak_period_s: f64,
-    /// Its wave tiles, longest first.
+    /// Its wave patches, longest first.
     pub cascades: [Cascade; CASCADES],
-    /// Slopes of each tile's waves.
+    /// Slopes of each patch's waves.
     pub cascade_slopes: [[f64; 2]; CASCADES],
-    /// Slopes of the waves that are shorter than the tiles hold.
+    /// Slopes of the waves that are shorter than the patches hold.
     pub below_slopes: [f64; 2],
-    /// Mean level of the choppy tiles, metres, at most 0: subtracted from what they draw, see [`waves::chop_level_m`].
+    /// Mean level of the choppy patches, metres, at most 0: subtracted from what they draw, see [`waves::chop_level_m`].
     pub chop_level_m: f64,
     /// The far sea.
     pub perlin: Octaves,
 }
 
 impl SeaTables {
-    /// The tables of a sea on tiles of `n` by `n` samples.
+    /// The tables of a sea on patches of `n` by `n` samples.
     pub fn new(sea: Sea, n: usize) -> Self {
         let spectrum = sea.spectrum();
         let cascades = waves::cascades(n);
@@ -49,7 +49,7 @@ impl SeaTables {
         1.2 * self.sea.hs_m
     }
 
-    /// Whether another sea has the same waves on the same tiles: it may differ in its chop.
+    /// Whether another sea has the same waves on the same patches: it may differ in its chop.
     pub fn has_waves_of(&self, other: &Self) -> bool {
         Sea { chop: other.sea.chop, ..self.sea } == other.sea && self.cascades[0].n == other.cascades[0].n
     }
@@ -59,7 +59,7 @@ impl SeaTables {
         self.slopes().iter().sum()
     }
 
-    /// ω of every element of one of the tiles, rad/s, over this sea's depth.
+    /// ω of every element of one of the patches, rad/s, over this sea's depth.
     pub fn frequencies(&self, cascade: &Cascade) -> Vec<f64> {
         waves::angular_frequencies(cascade, self.sea.depth_m)
     }

@@ -4,10 +4,10 @@
 
 use super::{
     fft::{self, Complex, mul},
-    waves::{Tile, angular_frequencies, cycles_per_tick, phase_u32},
+    waves::{Patch, angular_frequencies, cycles_per_tick, phase_u32},
 };
 
-/// The fields of one tile at a moment, element (i, j) at j·n + i standing at (i/n, j/m) of the tile's lengths.
+/// The fields of one patch at a moment, element (i, j) at j·n + i standing at (i/n, j/m) of the patch's lengths.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {
     /// Height η, m.
@@ -31,15 +31,15 @@ pub struct Fields {
 }
 
 /// The fields of deep water at a tick of the wave clock: the phases are the GPU's own, to 2⁻³² of a cycle.
-pub fn fields(h0: &[Complex], tile: impl Into<Tile>, ticks: u64) -> Fields {
-    let tile = tile.into();
-    let omega = angular_frequencies(tile, f64::INFINITY);
-    fields_with(h0, tile, &omega, |index| phase_at(cycles_per_tick(omega[index]), ticks))
+pub fn fields(h0: &[Complex], patch: impl Into<Patch>, ticks: u64) -> Fields {
+    let patch = patch.into();
+    let omega = angular_frequencies(patch, f64::INFINITY);
+    fields_with(h0, patch, &omega, |index| phase_at(cycles_per_tick(omega[index]), ticks))
 }
 
 /// The fields at a time in seconds for given frequencies, rad/s: for other depths, and for oracles with a dispersion of their own.
-pub fn fields_at(h0: &[Complex], tile: impl Into<Tile>, omega: &[f64], t: f64) -> Fields {
-    fields_with(h0, tile.into(), omega, |index| omega[index] * t)
+pub fn fields_at(h0: &[Complex], patch: impl Into<Patch>, omega: &[f64], t: f64) -> Fields {
+    fields_with(h0, patch.into(), omega, |index| omega[index] * t)
 }
 
 /// ωt in radians at a tick.
@@ -58,42 +58,42 @@ pub fn evolve(h0: Complex, h0_minus: Complex, omega: f64, phase: f64) -> (Comple
     (h, h_t)
 }
 
-/// What makes up for the linear interpolation between the samples of a tile: between two of them, e^{ikx} with `cycles` = n/N of a
+/// What makes up for the linear interpolation between the samples of a patch: between two of them, e^{ikx} with `cycles` = n/N of a
 /// turn from one to the next has the mean square (2 + cos 2πn/N)/3, so this is the square root of its inverse. Along both axes, the
 /// variance of an interpolated surface is then that of its waves.
 pub fn interpolation_gain(cycles: f64) -> f64 {
     libm::sqrt(3.0 / (2.0 + libm::cos(std::f64::consts::TAU * cycles)))
 }
 
-/// [`interpolation_gain`] of an element of a tile, both axes together.
-pub fn gain_of(tile: impl Into<Tile>, index: usize) -> f64 {
-    let [n, m] = tile.into().samples;
+/// [`interpolation_gain`] of an element of a patch, both axes together.
+pub fn gain_of(patch: impl Into<Patch>, index: usize) -> f64 {
+    let [n, m] = patch.into().samples;
     let axis = |i: usize, n: usize| interpolation_gain(i as f64 / n as f64);
     axis(index % n, n) * axis(index / n, m)
 }
 
-/// The eight drawn fields of a tile, two to a grid as real and imaginary part, element by element: (Dx, Dy), (η, ∂Dx/∂y),
+/// The eight drawn fields of a patch, two to a grid as real and imaginary part, element by element: (Dx, Dy), (η, ∂Dx/∂y),
 /// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). The chop is that of deep water at any depth. `gain` multiplies height and displacement
 /// of a wave (by its element), see [`interpolation_gain`]; not their derivatives.
 ///
 /// # Panics
-/// If `h0` does not hold as many elements as the tile: both come from the same cascade.
+/// If `h0` does not hold as many elements as the patch: both come from the same cascade.
 pub fn packed_fields(
     h0: &[Complex],
-    tile: impl Into<Tile>,
+    patch: impl Into<Patch>,
     gain: impl Fn(usize) -> f64,
     phase: impl Fn(usize) -> f64,
 ) -> [Vec<Complex>; 4] {
-    let tile = tile.into();
-    assert_eq!(h0.len(), tile.count(), "amplitudes are not those of the tile");
-    let mut spectra: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![[0.0; 2]; tile.count()]);
-    for index in 0..tile.count() {
-        let minus = h0[tile.mirror(index)];
+    let patch = patch.into();
+    assert_eq!(h0.len(), patch.count(), "amplitudes are not those of the patch");
+    let mut spectra: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![[0.0; 2]; patch.count()]);
+    for index in 0..patch.count() {
+        let minus = h0[patch.mirror(index)];
         if h0[index] == [0.0; 2] && minus == [0.0; 2] {
             continue;
         }
         let (h, _) = evolve(h0[index], minus, 0.0, phase(index));
-        let (kx, ky) = tile.wave_vector(index);
+        let (kx, ky) = patch.wave_vector(index);
         let k = libm::sqrt(kx * kx + ky * ky);
         let (ux, uy) = if k > 0.0 { (kx / k, ky / k) } else { (0.0, 0.0) };
         let times_i = |s: f64| [-s * h[1], s * h[0]];
@@ -106,16 +106,16 @@ pub fn packed_fields(
         spectra[2][index] = pack(times_i(kx), times_i(ky));
         spectra[3][index] = pack(times(-kx * ux), times(-ky * uy));
     }
-    spectra.iter_mut().for_each(|grid| fft::inverse_2d(grid, tile.samples[0]));
+    spectra.iter_mut().for_each(|grid| fft::inverse_2d(grid, patch.samples[0]));
     spectra
 }
 
-fn fields_with(h0: &[Complex], tile: Tile, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
+fn fields_with(h0: &[Complex], patch: Patch, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
     let parts = |grid: Vec<Complex>| grid.into_iter().map(|[re, im]| (re, im)).unzip::<f64, f64, Vec<_>, Vec<_>>();
     let mut rates: Vec<Complex> =
-        (0..tile.count()).map(|i| evolve(h0[i], h0[tile.mirror(i)], omega[i], phase(i)).1).collect();
-    fft::inverse_2d(&mut rates, tile.samples[0]);
-    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, tile, |_| 1.0, phase).map(parts);
+        (0..patch.count()).map(|i| evolve(h0[i], h0[patch.mirror(i)], omega[i], phase(i)).1).collect();
+    fft::inverse_2d(&mut rates, patch.samples[0]);
+    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, patch, |_| 1.0, phase).map(parts);
     Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t: parts(rates).0 }
 }
 
@@ -154,7 +154,7 @@ impl ChopGradient {
 }
 
 impl Fields {
-    /// The choppy map's gradient at an element, for this tile alone.
+    /// The choppy map's gradient at an element, for this patch alone.
     pub fn chop_gradient(&self, index: usize, chop: f64) -> ChopGradient {
         ChopGradient::new(self.dx_x[index], self.dy_y[index], self.dx_y[index], chop)
     }

@@ -1,6 +1,6 @@
-//! The waves of a sea as the GPU takes them: amplitudes and frequencies of all tiles, made once for all who draw, ride or measure it.
+//! The waves of a sea as the GPU takes them: amplitudes and frequencies of all patches, made once for all who draw, ride or measure it.
 //!
-//! Four tiles of 2048² samples hold 16.8 million waves, seconds of work, so they can be made row by row over many frames
+//! Four patches of 2048² samples hold 16.8 million waves, seconds of work, so they can be made row by row over many frames
 //! ([`Making::advance`]). Rejected: amplitudes made by the GPU, whose logarithms and sines differ from one driver to the next, so that
 //! two viewers would see two seas.
 
@@ -8,14 +8,14 @@ use std::sync::Arc;
 
 use super::sea_spectrum::SeaSpectrum;
 use super::sea_tables::SeaTables;
-use super::waves::{self, CASCADES, Cascade, Cells, Tile};
+use super::waves::{self, CASCADES, Cascade, Cells, Patch};
 
 /// Amplitudes, frequencies and scales of all cascades, one after another.
 #[derive(Clone, Debug, Default)]
 pub struct WaveData {
     /// h0(k), metres, in wave index order.
     pub amplitudes: Vec<[f32; 2]>,
-    /// Cycles per tick in fixed point, low and high word. They depend on tiles and depth alone, so seas share them.
+    /// Cycles per tick in fixed point, low and high word. They depend on patches and depth alone, so seas share them.
     pub frequencies: Arc<Vec<[u32; 2]>>,
     /// See [`scales`], one for each cascade.
     pub scales: Vec<[[f32; 4]; 2]>,
@@ -35,12 +35,12 @@ impl WaveData {
         self.scales.push(scales(cascade, &self.amplitudes[start..]));
     }
 
-    /// Amplitudes of cascade number `index` of tiles with `n` by `n` samples.
+    /// Amplitudes of cascade number `index` of patches with `n` by `n` samples.
     pub fn amplitudes_of(&self, index: usize, n: usize) -> &[[f32; 2]] {
         &self.amplitudes[index * n * n..(index + 1) * n * n]
     }
 
-    /// Cycles per tick of each element of cascade number `index` of tiles with `n` by `n` samples.
+    /// Cycles per tick of each element of cascade number `index` of patches with `n` by `n` samples.
     pub fn frequencies_of(&self, index: usize, n: usize) -> impl Fn(usize) -> u64 {
         let words = &self.frequencies[index * n * n..(index + 1) * n * n];
         |element| u64::from(words[element][1]) << 32 | u64::from(words[element][0])
@@ -70,7 +70,7 @@ pub struct Making {
 }
 
 impl Making {
-    /// The waves of a sea, with the frequencies of another sea on the same tiles in the same depth where there are some.
+    /// The waves of a sea, with the frequencies of another sea on the same patches in the same depth where there are some.
     pub fn new(tables: &SeaTables, frequencies: Option<Arc<Vec<[u32; 2]>>>) -> Self {
         let count = CASCADES * tables.cascades[0].n.pow(2);
         let wanted = frequencies.is_none().then(|| (tables.sea.depth_m, Vec::with_capacity(count)));
@@ -141,13 +141,13 @@ impl Making {
 
     fn make_row(&self, row: usize) -> Row {
         let n = self.cascades[0].n;
-        let (index, tile) = (row / n, Tile::from(&self.cascades[row / n]));
-        let mut cells = Cells::new(&self.spectrum, tile);
+        let (index, patch) = (row / n, Patch::from(&self.cascades[row / n]));
+        let mut cells = Cells::new(&self.spectrum, patch);
         let mut made = Row { amplitudes: Vec::with_capacity(n), power: Power::default(), evaluations: 0 };
         for element in row % n * n..(row % n + 1) * n {
             let energy = cells.energy(element);
-            let h = waves::amplitude(energy, self.seed, index, &tile, element).map(|x| x as f32);
-            made.power.count(tile.wave_vector(element), h);
+            let h = waves::amplitude(energy, self.seed, index, &patch, element).map(|x| x as f32);
+            made.power.count(patch.wave_vector(element), h);
             made.amplitudes.push(h);
         }
         made.evaluations = cells.evaluations;
@@ -155,17 +155,17 @@ impl Making {
     }
 }
 
-/// One row of a tile.
+/// One row of a patch.
 struct Row {
     amplitudes: Vec<[f32; 2]>,
     power: Power,
     evaluations: usize,
 }
 
-/// Appends row `j` of a tile, after those before it. ω depends on |k|, so that an eighth of the tile holds all of them, bit for bit.
+/// Appends row `j` of a patch, after those before it. ω depends on |k|, so that an eighth of the patch holds all of them, bit for bit.
 fn push_frequencies(frequencies: &mut Vec<[u32; 2]>, cascade: &Cascade, j: usize, depth_m: f64) {
     let n = cascade.n;
-    let (tile, start) = (Tile::from(cascade), frequencies.len() - j * n);
+    let (patch, start) = (Patch::from(cascade), frequencies.len() - j * n);
     if j > n / 2 {
         return frequencies.extend_from_within(start + (n - j) * n..start + (n - j + 1) * n);
     }
@@ -173,7 +173,7 @@ fn push_frequencies(frequencies: &mut Vec<[u32; 2]>, cascade: &Cascade, j: usize
         let known = if i > n / 2 { Some(j * n + n - i) } else { (i < j).then_some(i * n + j) };
         frequencies.push(match known {
             Some(at) => frequencies[start + at],
-            None => words(waves::cycles_per_tick(waves::angular_frequency(tile.wave_vector(j * n + i), depth_m))),
+            None => words(waves::cycles_per_tick(waves::angular_frequency(patch.wave_vector(j * n + i), depth_m))),
         });
     }
 }
@@ -206,7 +206,7 @@ impl Power {
     }
 }
 
-/// Factors that bring the eight fields of a tile, halfway through the transform, to a root mean square of about one: so neither of
+/// Factors that bring the eight fields of a patch, halfway through the transform, to a root mean square of about one: so neither of
 /// two fields that share a complex number is lost in the other's rounding, and 16-bit floats neither overflow nor vanish.
 ///
 /// Order: Dx, Dy, h, dDx/dy; dh/dx, dh/dy, dDx/dx, dDy/dy. Powers of two, so that they cost no rounding; 1 for a field that is zero.

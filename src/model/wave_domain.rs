@@ -1,26 +1,26 @@
-//! Where a wave is: the ellipsoid in cells, each a tangent plane, and in each plane a lattice for every wave tile, whose vertices
-//! have a place in the tile and a turn along the wind of their own.
+//! Where a wave is: the ellipsoid in cells, each a tangent plane, and in each plane a lattice for every wave patch, whose vertices
+//! have a place in the patch and a turn along the wind of their own.
 //!
 //! ```text
 //!  one face of the circumscribed cuboid    a cell's plane, x east, y north at       a vertex that serves a point lays its
-//!  +----+----+----+----+                   its centre; one lattice for each tile    tile there: turned along the wind at
+//!  +----+----+----+----+                   its centre; one lattice for each patch   patch there: turned along the wind at
 //!  |    |    |    |    |                     ·-----·-----·-----·                    the vertex, from a random place in it
 //!  +----+----+----+----+                      \   / \ p / \   /                         ┌───────────┐
 //!  |    |    |    |    |  128 × 128 cells      \ /   \ /   \ /                         ╱     · p   ╱
 //!  +----+----+----+----+  of about 78 km     ---·-----·-----·---                      ╱  V        ╱ ↗ waves travel to
-//!                                               0.8 of the tile                      └───────────┘
+//!                                               0.8 of the patch                     └───────────┘
 //!  weights of two cells, of the vertices of an edge:  1 ───╮  ╭───    w1² + w2² = 1 keeps the variance of heights
 //!                                                           ╲╱
 //!                                                     0 ───╯  ╰───
 //! ```
 //! The sea at a place depends on place, time, wind and seed alone. A cell serves where its centre is nearest, and fades over
 //! [`BLEND_WIDTH_M`], so cube edges, poles and the antimeridian are no special places. A point of a plane lies in one triangle of a
-//! tile's lattice, and each of its vertices serves as its barycentric share exceeds [`LEAST_SHARE`]. A vertex reaches less than
-//! 0.64 of the tile's length, so two points a whole tile apart have next to no vertex in common: the tile's period is gone. North
+//! patch's lattice, and each of its vertices serves as its barycentric share exceeds [`LEAST_SHARE`]. A vertex reaches less than
+//! 0.64 of the patch's length, so two points a whole patch apart have next to no vertex in common: the patch's period is gone. North
 //! turns under the lattice as on the globe; energies pass from vertex to vertex with the way, so the mean direction is the wind's.
 //!
-//! Why so: a tile with one place for 78 km shows its period, and its direction errs by half a degree times tan(latitude). Cells of
-//! 4 km would do for the longest tile alone and need 30 million frames. Rejected: one tangent plane that follows the eye (two viewers
+//! Why so: a patch with one place for 78 km shows its period, and its direction errs by half a degree times tan(latitude). Cells of
+//! 4 km would do for the longest patch alone and need 30 million frames. Rejected: one tangent plane that follows the eye (two viewers
 //! would see two seas), latitude-longitude cells (they shrink at the poles), squares for triangles (four vertices to sample, not
 //! three; two on average with the least share). Vertices are integers that start at the cell's centre, hashed as integers, so that
 //! they are the same for every eye.
@@ -43,11 +43,11 @@ pub const MAX_CELLS: usize = 24;
 /// A cell serves this much farther than the nearest one, metres; equals `BLEND_WIDTH` in `shaders/lib/domain.wgsl`.
 pub const BLEND_WIDTH_M: f64 = 9_000.0;
 
-/// Tiles that have a lattice: the cascades, then the far sea's; equals `TILES` in `shaders/lib/frame.wgsl`.
-pub const TILES: usize = CASCADES + 1;
+/// Patches that have a lattice: the cascades, then the far sea's; equals `PATCHES` in `shaders/lib/frame.wgsl`.
+pub const PATCHES: usize = CASCADES + 1;
 
-/// The far sea's tile among them.
-pub const PERLIN_TILE: usize = CASCADES;
+/// The far sea's patch among them.
+pub const PERLIN_PATCH: usize = CASCADES;
 
 /// A vertex serves where its barycentric share is above this; equals `LEAST_SHARE` in `shaders/lib/domain.wgsl`. Two vertices then
 /// serve on average, and blends are half a lattice step wide: their gradients add less than 1 % to the variance of slopes.
@@ -60,7 +60,7 @@ pub const ROW: f64 = 0.875;
 /// that serve have their true north. `POLAR_REACH` in `shaders/lib/domain.wgsl`.
 pub const POLAR_REACH: f64 = 0.0133;
 
-/// Distance of neighbouring vertices on a row of the lattice of a tile, metres: 0.8 of its length, in 6 significant bits, so that
+/// Distance of neighbouring vertices on a row of the lattice of a patch, metres: 0.8 of its length, in 6 significant bits, so that
 /// multiples are exact in 32-bit floats.
 pub fn spacing_m(patch_m: f64) -> f64 {
     let wanted = 0.8 * patch_m;
@@ -160,16 +160,16 @@ pub struct Plane {
     pub key: u32,
 }
 
-/// A tile as one vertex of its lattice lays it under a point.
+/// A patch as one vertex of its lattice lays it under a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     /// Which vertex.
     pub vertex: [i32; 2],
     /// Its weight; squares sum to one.
     pub weight: f64,
-    /// The point in the tile, metres, not reduced to one period.
+    /// The point in the patch, metres, not reduced to one period.
     pub at: DVec2,
-    /// The tile's axes in the plane: x where the waves travel to, y to its left.
+    /// The patch's axes in the plane: x where the waves travel to, y to its left.
     pub axes: [DVec2; 2],
 }
 
@@ -214,8 +214,8 @@ impl Plane {
         if blended.length() < 1e-3 { self.polar_north } else { blended.normalize() }
     }
 
-    /// The placements of tile number `tile`, `patch_m` long, under a point of the plane.
-    pub fn placements(&self, tile: usize, patch_m: f64, point: DVec2) -> impl Iterator<Item = Placement> + use<> {
+    /// The placements of patch number `patch`, `patch_m` long, under a point of the plane.
+    pub fn placements(&self, patch: usize, patch_m: f64, point: DVec2) -> impl Iterator<Item = Placement> + use<> {
         let (plane, spacing) = (*self, spacing_m(patch_m));
         around(point / spacing).into_iter().filter(|(_, weight)| *weight > 0.0).map(move |(vertex, weight)| {
             let place = spacing * vertex_at(vertex);
@@ -223,14 +223,14 @@ impl Plane {
             let east = DVec2::new(north.y, -north.x);
             let axes = [-plane.wind.x * east - plane.wind.y * north, plane.wind.y * east - plane.wind.x * north];
             let arm = point - place;
-            let at = DVec2::new(arm.dot(axes[0]), arm.dot(axes[1])) + patch_m * plane.offset(tile, vertex);
+            let at = DVec2::new(arm.dot(axes[0]), arm.dot(axes[1])) + patch_m * plane.offset(patch, vertex);
             Placement { vertex, weight, at, axes }
         })
     }
 
-    /// Where a vertex stands in a tile, in tile lengths.
-    fn offset(&self, tile: usize, [i, j]: [i32; 2]) -> DVec2 {
-        let key = self.key.wrapping_add((tile as u32).wrapping_mul(0x9E37_79B9));
+    /// Where a vertex stands in a patch, in patch lengths.
+    fn offset(&self, patch: usize, [i, j]: [i32; 2]) -> DVec2 {
+        let key = self.key.wrapping_add((patch as u32).wrapping_mul(0x9E37_79B9));
         let bits = noise::hash([i as u32, j as u32, key]);
         DVec2::new(f64::from(bits >> 16), f64::from(bits & 0xFFFF)) / 65_536.0 - 0.5
     }

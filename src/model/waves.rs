@@ -1,11 +1,11 @@
-//! From a sea to wave amplitudes: which tiles, which waves in each, their random amplitudes and their clocks.
+//! From a sea to wave amplitudes: which patches, which waves in each, their random amplitudes and their clocks.
 //!
 //! # Conventions
-//! x is downwind, y 90° to its left, z up: the amplitudes do not know the wind's direction, the renderer rotates the tile.
+//! x is downwind, y 90° to its left, z up: the amplitudes do not know the wind's direction, the renderer rotates the patch.
 //! Element (i, j) stands at j·N + i; its wave vector is (n, m)·dk with n = i for i < N/2, else i − N; dk = 2π/patch.
 //! η = Σ H e^{+ik·x} with no 1/N², H = h0(k) e^{−iωt} + conj(h0(−k)) e^{+iωt}.
 
-pub use super::cascade::{CASCADES, Cascade, PATCHES_M, Tile, cascades};
+pub use super::cascade::{CASCADES, Cascade, PATCHES_M, Patch, cascades};
 use super::quadrature::simpson_log;
 pub use super::sea::Sea;
 use super::{dispersion, noise, spectrum::DirectionalSpectrum};
@@ -17,10 +17,10 @@ const NEAREST_CELLS: f64 = 8.0;
 /// Cells closer to the origin than this are sub-sampled half as finely: one sample of k⁻⁴ is 0.1 % off at 24 steps.
 const NEAR_CELLS: f64 = 24.0;
 
-/// The cells of a tile's wave numbers, [n ± ½]dkx × [m ± ½]dky, with the spectrum's energy in each.
+/// The cells of a patch's wave numbers, [n ± ½]dkx × [m ± ½]dky, with the spectrum's energy in each.
 pub struct Cells<'a, S> {
     spectrum: &'a S,
-    tile: Tile,
+    patch: Patch,
     squares: [f64; 2],
     area: f64,
     /// Half of a cell's diagonal, rad/m.
@@ -30,25 +30,25 @@ pub struct Cells<'a, S> {
 }
 
 impl<'a, S: DirectionalSpectrum> Cells<'a, S> {
-    /// The cells of a tile.
-    pub fn new(spectrum: &'a S, tile: impl Into<Tile>) -> Self {
-        let tile = tile.into();
-        let (dk, squares) = (tile.dk(), [tile.k_min * tile.k_min, tile.k_max * tile.k_max]);
+    /// The cells of a patch.
+    pub fn new(spectrum: &'a S, patch: impl Into<Patch>) -> Self {
+        let patch = patch.into();
+        let (dk, squares) = (patch.dk(), [patch.k_min * patch.k_min, patch.k_max * patch.k_max]);
         let (area, reach) = (dk[0] * dk[1], 0.5 * libm::sqrt(dk[0] * dk[0] + dk[1] * dk[1]));
-        Self { spectrum, tile, squares, area, reach, evaluations: 0 }
+        Self { spectrum, patch, squares, area, reach, evaluations: 0 }
     }
 
     /// ∫ F over a cell where |k| lies in the ring, m². 0 at the origin and at the row and the column at half of the samples, which
     /// have no partner −k.
     pub fn energy(&mut self, index: usize) -> f64 {
-        let (tile, reach) = (self.tile, self.reach);
-        let (at, dk) = (tile.wave_vector(index), tile.dk());
+        let (patch, reach) = (self.patch, self.reach);
+        let (at, dk) = (patch.wave_vector(index), patch.dk());
         let step = dk[0].max(dk[1]);
         let k = libm::sqrt(at.0 * at.0 + at.1 * at.1);
-        if tile.is_alone(index) || k + reach < tile.k_min || k - reach >= tile.k_max {
+        if patch.is_alone(index) || k + reach < patch.k_min || k - reach >= patch.k_max {
             return 0.0;
         }
-        let whole = k - reach >= tile.k_min && k + reach < tile.k_max;
+        let whole = k - reach >= patch.k_min && k + reach < patch.k_max;
         if whole && k > NEAR_CELLS * step {
             self.evaluations += 1;
             self.spectrum.density(at.0, at.1) * self.area
@@ -61,7 +61,7 @@ impl<'a, S: DirectionalSpectrum> Cells<'a, S> {
 
     /// The energy around (kx, ky) by `parts` × `parts` samples.
     fn over(&mut self, (kx, ky): (f64, f64), parts: usize) -> f64 {
-        let dk = self.tile.dk();
+        let dk = self.patch.dk();
         let offset = |s: usize, dk: f64| ((s as f64 + 0.5) / parts as f64 - 0.5) * dk;
         let mut sum = 0.0;
         for (a, b) in (0..parts * parts).map(|s| (s % parts, s / parts)) {
@@ -76,38 +76,38 @@ impl<'a, S: DirectionalSpectrum> Cells<'a, S> {
     }
 }
 
-/// The energies of all cells of a tile, in order, see [`Cells::energy`].
-pub fn cell_energies(spectrum: &impl DirectionalSpectrum, tile: impl Into<Tile>) -> Vec<f64> {
-    let tile = tile.into();
-    let mut cells = Cells::new(spectrum, tile);
-    (0..tile.count()).map(|index| cells.energy(index)).collect()
+/// The energies of all cells of a patch, in order, see [`Cells::energy`].
+pub fn cell_energies(spectrum: &impl DirectionalSpectrum, patch: impl Into<Patch>) -> Vec<f64> {
+    let patch = patch.into();
+    let mut cells = Cells::new(spectrum, patch);
+    (0..patch.count()).map(|index| cells.energy(index)).collect()
 }
 
 /// h0(k) = ½ (ξr + iξi) √E as [re, im], m. Noise is keyed by the signed index, so that a finer grid holds the same waves.
-pub fn initial_amplitudes(sea: &Sea, cascade_index: usize, tile: impl Into<Tile>) -> Vec<[f64; 2]> {
-    let tile = tile.into();
-    amplitudes(&cell_energies(&sea.spectrum(), tile), sea.seed, cascade_index, tile)
+pub fn initial_amplitudes(sea: &Sea, cascade_index: usize, patch: impl Into<Patch>) -> Vec<[f64; 2]> {
+    let patch = patch.into();
+    amplitudes(&cell_energies(&sea.spectrum(), patch), sea.seed, cascade_index, patch)
 }
 
-/// As [`initial_amplitudes`] for any energies E, m², one for each element of the tile.
-pub fn amplitudes(energies: &[f64], seed: u32, cascade_index: usize, tile: impl Into<Tile>) -> Vec<[f64; 2]> {
-    let tile = tile.into();
-    energies.iter().enumerate().map(|(index, &energy)| amplitude(energy, seed, cascade_index, &tile, index)).collect()
+/// As [`initial_amplitudes`] for any energies E, m², one for each element of the patch.
+pub fn amplitudes(energies: &[f64], seed: u32, cascade_index: usize, patch: impl Into<Patch>) -> Vec<[f64; 2]> {
+    let patch = patch.into();
+    energies.iter().enumerate().map(|(index, &energy)| amplitude(energy, seed, cascade_index, &patch, index)).collect()
 }
 
 /// One element of [`amplitudes`].
-pub fn amplitude(energy: f64, seed: u32, cascade_index: usize, tile: &Tile, index: usize) -> [f64; 2] {
+pub fn amplitude(energy: f64, seed: u32, cascade_index: usize, patch: &Patch, index: usize) -> [f64; 2] {
     if energy <= 0.0 {
         return [0.0; 2];
     }
-    let [i, j] = tile.signed(index);
+    let [i, j] = patch.signed(index);
     let half = 0.5 * libm::sqrt(energy);
     noise::gaussian_pair(seed, cascade_index as u32, i, j).map(|xi| half * xi)
 }
 
 /// ω of every element, rad/s: gravity and surface tension over water `depth_m` deep (infinity: deep water).
-pub fn angular_frequencies(tile: impl Into<Tile>, depth_m: f64) -> Vec<f64> {
-    tile.into().wave_vectors().map(|k| angular_frequency(k, depth_m)).collect()
+pub fn angular_frequencies(patch: impl Into<Patch>, depth_m: f64) -> Vec<f64> {
+    patch.into().wave_vectors().map(|k| angular_frequency(k, depth_m)).collect()
 }
 
 /// ω of a wave (kx, ky), rad/m, as [`angular_frequencies`].

@@ -63,7 +63,7 @@ impl Precision {
     }
 }
 
-/// How a workgroup of the pass is made for tiles of `n` samples: (lines, complex fields per exchange). Eight elements per thread;
+/// How a workgroup of the pass is made for patches of `n` samples: (lines, complex fields per exchange). Eight elements per thread;
 /// lines and fields are chosen so that at least 64 threads work together (from 128 samples) and the exchange fits into the
 /// 16,384 bytes of workgroup memory.
 fn workgroup(n: usize) -> (usize, usize) {
@@ -74,7 +74,7 @@ fn workgroup(n: usize) -> (usize, usize) {
     }
 }
 
-/// The composed shader of tiles of `n` samples.
+/// The composed shader of patches of `n` samples.
 pub fn source(n: usize, precision: Precision) -> String {
     let (lines, fields) = workgroup(n);
     let first = [8, 2, 4][n.ilog2() as usize % 3];
@@ -87,15 +87,15 @@ pub fn source(n: usize, precision: Precision) -> String {
     shader::composed(&text, &definitions)
 }
 
-/// The tiles of each batch: as many as `room`, the largest storage binding in bytes, holds halfway through the transform.
+/// The patches of each batch: as many as `room`, the largest storage binding in bytes, holds halfway through the transform.
 pub fn batches(n: usize, layers: usize, precision: Precision, room: u64) -> Vec<Range<usize>> {
     let together = (room / ((n * n) as u64 * precision.bytes_halfway())).max(1) as usize;
     (0..layers).step_by(together).map(|first| first..layers.min(first + together)).collect()
 }
 
-/// Tiles that one binding of the intermediate values holds: their two dispatches share it with the other batches.
+/// Patches that one binding of the intermediate values holds: their two dispatches share it with the other batches.
 struct Batch {
-    tiles: Range<usize>,
+    patches: Range<usize>,
     evolution: wgpu::Buffer,
     group: wgpu::BindGroup,
 }
@@ -107,7 +107,7 @@ pub struct Fft {
     columns: Compute,
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
-    /// Those in the buffer: seas on the same tiles share them.
+    /// Those in the buffer: seas on the same patches share them.
     known_frequencies: Option<Arc<Vec<[u32; 2]>>>,
     batches: Vec<Batch>,
     mips: MipChain,
@@ -137,24 +137,24 @@ impl Fft {
         let layout = gpu.layout("fft", compute, &binds);
         let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
 
-        let tile = (n * n) as u64;
+        let patch = (n * n) as u64;
         let batches = batches(n, layers, precision, gpu.device.limits().max_storage_buffer_binding_size);
-        let largest = batches.iter().map(|tiles| tiles.len()).max().unwrap_or(1) as u64;
-        let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, tile * 8 * layers as u64);
+        let largest = batches.iter().map(|patches| patches.len()).max().unwrap_or(1) as u64;
+        let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, patch * 8 * layers as u64);
         let (amplitudes, frequencies) = (waves("amplitudes"), waves("frequencies"));
-        let halfway = gpu.empty_buffer("halfway", B::STORAGE, tile * precision.bytes_halfway() * largest);
+        let halfway = gpu.empty_buffer("halfway", B::STORAGE, patch * precision.bytes_halfway() * largest);
         let twiddles = gpu.buffer("twiddles", B::STORAGE, bytemuck::cast_slice(&twiddles(n)));
-        let batch = |tiles: Range<usize>| {
+        let batch = |patches: Range<usize>| {
             let evolution = gpu.empty_buffer("evolution", B::UNIFORM | B::COPY_DST, size_of::<Evolution>() as u64);
             let part = |buffer| {
-                let size = wgpu::BufferSize::new(tile * 8 * tiles.len() as u64);
+                let size = wgpu::BufferSize::new(patch * 8 * patches.len() as u64);
                 wgpu::BindingResource::Buffer(wgpu::BufferBinding {
                     buffer,
-                    offset: tile * 8 * tiles.start as u64,
+                    offset: patch * 8 * patches.start as u64,
                     size,
                 })
             };
-            let [d, g, m] = [&displacements, &slopes, &stretches].map(|t| texture::layers_view(t, &tiles));
+            let [d, g, m] = [&displacements, &slopes, &stretches].map(|t| texture::layers_view(t, &patches));
             let resources = [
                 evolution.as_entire_binding(),
                 part(&amplitudes),
@@ -166,7 +166,7 @@ impl Fft {
                 wgpu::BindingResource::TextureView(&m),
             ];
             let group = gpu.bind("fft", &layout, &resources);
-            Batch { tiles, evolution, group }
+            Batch { patches, evolution, group }
         };
         let batches = batches.into_iter().map(batch).collect();
         let mips = MipChain::of(gpu, &[&displacements, &slopes, &stretches], name);
@@ -215,12 +215,12 @@ impl Fft {
     /// Sets the instant of the next [`Fft::dispatch`], in ticks of the wave clock.
     pub fn set_time(&self, gpu: &Gpu, ticks: u64) {
         for batch in &self.batches {
-            let first = batch.tiles.start;
+            let first = batch.patches.start;
             let patch = |i: usize| self.cascades.get(first + i).map_or(1.0, |c| c.patch_m as f32);
             let scale = |i: usize| self.scales.get(first + i / 2).map_or([1.0; 4], |pair| pair[i % 2]);
             let evolution = Evolution {
                 ticks: words(ticks),
-                cascade_count: batch.tiles.len() as u32,
+                cascade_count: batch.patches.len() as u32,
                 sharpened: u32::from(self.sharpened),
                 patches: std::array::from_fn(patch),
                 scales: std::array::from_fn(scale),
@@ -233,11 +233,11 @@ impl Fft {
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
         let groups = (self.n / workgroup(self.n).0) as u32;
         for batch in &self.batches {
-            let tiles = batch.tiles.end.min(self.cascades.len()).saturating_sub(batch.tiles.start) as u32;
+            let patches = batch.patches.end.min(self.cascades.len()).saturating_sub(batch.patches.start) as u32;
             pass.set_bind_group(0, &batch.group, &[]);
             for pipeline in [&self.rows, &self.columns] {
                 pass.set_pipeline(pipeline);
-                pass.dispatch_workgroups(groups, tiles, 1);
+                pass.dispatch_workgroups(groups, patches, 1);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Foam in time: one dispatch advances the four squares of the foam map. What it means: `model/foam.rs`,
+//! Foam in time: one dispatch advances the four levels of the foam map. What it means: `model/foam.rs`,
 //! where it lies: `scene/foam.rs`, when it moves on: `scene/foam_history.rs`.
 
 use crate::gpu::pipeline::{Bind, Compute};

@@ -17,7 +17,7 @@ pub struct Look {
     pub measured: bool,
     /// The eye is in the sea.
     pub under_water: bool,
-    /// Some of the wave tiles show.
+    /// Some of the wave patches show.
     pub waves: bool,
     /// The far sea's noise shows.
     pub noise: bool,

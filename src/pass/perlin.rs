@@ -65,12 +65,12 @@ pub struct Perlin {
 }
 
 impl Perlin {
-    /// The pass with a tile of [`TEXELS`] squared, as it is drawn.
+    /// The pass with a patch of [`TEXELS`] squared, as it is drawn.
     pub fn new(gpu: &Gpu) -> Self {
         Self::with_texels(gpu, TEXELS as u32)
     }
 
-    /// The pass with a tile of `texels` squared, a multiple of [`SIDE`], for comparisons of cost: only [`TEXELS`] has the sea's slopes.
+    /// The pass with a patch of `texels` squared, a multiple of [`SIDE`], for comparisons of cost: only [`TEXELS`] has the sea's slopes.
     pub fn with_texels(gpu: &Gpu, texels: u32) -> Self {
         let write = Bind::Write(FORMAT, wgpu::TextureViewDimension::D2);
         let layout = gpu.layout("perlin", wgpu::ShaderStages::COMPUTE, &[Bind::Uniform, write]);

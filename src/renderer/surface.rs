@@ -20,7 +20,7 @@ use crate::scene::sea::foam_history::{FoamStep, History};
 /// Views of the tables of light, in the order of the bindings.
 pub(super) type Light = [wgpu::TextureView; 5];
 
-/// Samples along a side of the tiles until the first sea says otherwise.
+/// Samples along a side of the patches until the first sea says otherwise.
 const SAMPLES: usize = 256;
 
 /// The passes that make the surface, and whose it is.
@@ -199,7 +199,7 @@ impl Surface {
     }
 }
 
-/// The foam map's step to an instant: time passes only on squares whose waves fold at all, the others have the wind's share.
+/// The foam map's step to an instant: time passes only on levels whose waves fold at all, the others have the wind's share.
 fn step(history: &mut History, frame: &Frame, instant: u64, lifetime_s: f64) -> FoamStep {
     let mut step = history.step(instant, &frame.foam_eye, lifetime_s);
     for (level, _) in frame.whitecaps.folds.iter().enumerate().filter(|(_, fold)| **fold == Fold::NEVER) {

@@ -11,18 +11,18 @@ const N: usize = 128;
 fn four_hundred_seas_have_the_height_of_the_spectrum() {
     let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let sea = Sea::from_wind(13.9, 0, 1.0);
-    let (tiles, spectrum) = (cascades(N), sea.spectrum());
-    let energies: Vec<Vec<f64>> = tiles.iter().map(|tile| cell_energies(&spectrum, tile)).collect();
-    let omegas: Vec<Vec<f64>> = tiles.iter().map(|tile| waves::angular_frequencies(tile, f64::INFINITY)).collect();
-    let mut fft = Fft::new(&gpu, N, tiles.len(), Precision::Single);
-    let mut sums = vec![[0.0; 2]; tiles.len() + 1];
+    let (patches, spectrum) = (cascades(N), sea.spectrum());
+    let energies: Vec<Vec<f64>> = patches.iter().map(|patch| cell_energies(&spectrum, patch)).collect();
+    let omegas: Vec<Vec<f64>> = patches.iter().map(|patch| waves::angular_frequencies(patch, f64::INFINITY)).collect();
+    let mut fft = Fft::new(&gpu, N, patches.len(), Precision::Single);
+    let mut sums = vec![[0.0; 2]; patches.len() + 1];
     let start = std::time::Instant::now();
     for seed in 0..SEEDS {
         let mut data = WaveData::default();
-        for (index, tile) in tiles.iter().enumerate() {
-            data.push(tile, &waves::amplitudes(&energies[index], seed, index, tile), &omegas[index]);
+        for (index, patch) in patches.iter().enumerate() {
+            data.push(patch, &waves::amplitudes(&energies[index], seed, index, patch), &omegas[index]);
         }
-        fft.set_waves(&gpu, &tiles, &data);
+        fft.set_waves(&gpu, &patches, &data);
         fft.set_time(&gpu, waves::ticks_from_unix(1.7e9 + 1e5 * f64::from(seed)));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         fft.dispatch(&mut encoder.begin_compute_pass(&Default::default()));
@@ -32,7 +32,7 @@ fn four_hundred_seas_have_the_height_of_the_spectrum() {
             let height = |texel: &[u8]| f64::from(f32::from_le_bytes(texel[8..12].try_into().unwrap()));
             bytes.chunks_exact(16).map(|texel| height(texel).powi(2)).sum::<f64>() / (N * N) as f64
         };
-        let mut found: Vec<f64> = (0..tiles.len()).map(variance).collect();
+        let mut found: Vec<f64> = (0..patches.len()).map(variance).collect();
         found.push(found.iter().sum());
         for (sum, variance) in sums.iter_mut().zip(found) {
             *sum = [sum[0] + variance, sum[1] + variance * variance];
@@ -46,7 +46,7 @@ fn four_hundred_seas_have_the_height_of_the_spectrum() {
         let sigma = ((square - mean * mean) / f64::from(SEEDS)).sqrt();
         println!("{index}: {mean:.5} of {want:.5} ± {sigma:.5}");
         // The ensemble's own error, and for the whole sea the 1 % that its grids may miss of the spectrum.
-        let grids = if index == tiles.len() { 0.01 } else { 0.0 };
+        let grids = if index == patches.len() { 0.01 } else { 0.0 };
         assert!((mean - want).abs() < 3.0 * sigma + grids * want, "{index}: {mean} of {want} ± {sigma}");
         assert!(sigma < 0.02 * want, "sharp enough to tell any factor from one");
     }

@@ -72,23 +72,23 @@ fn half(bits: u16) -> f64 {
 }
 
 #[test]
-fn the_tile_on_the_gpu_has_the_models_variances_in_every_octave() {
+fn the_patch_on_the_gpu_has_the_models_variances_in_every_octave() {
     let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let pass = Perlin::new(&gpu);
     let settings = Settings { wind: Wind { speed_mps: 12.0, from_deg: 200.0 }, ..Settings::default() };
     let sea = frame(&settings, NOON);
     let unit = perlin::variance();
-    // A tile of the first octave has 32 cells, each later one four times as many.
-    for (octave, tiles) in [(0, 400), (1, 120), (2, 40), (3, 16)] {
+    // A patch of the first octave has 32 cells, each later one four times as many.
+    for (octave, patches) in [(0, 400), (1, 120), (2, 40), (3, 16)] {
         let mut tables = SeaTables::clone(&sea.sea);
         tables.perlin.amplitudes_m = [0.0; OCTAVES];
         tables.perlin.amplitudes_m[octave] = 1.0;
         let alone = Frame { sea: Arc::new(tables), ..sea.clone() };
         let [x, y] = perlin::slope_variance(sea.sea.perlin.patch_m, octave);
         let mut sums = [Ensemble::default(); 3];
-        for tile in 0..tiles {
-            // Each tile has a seed and an instant of its own, from seconds to decades apart.
-            pass.prepare(&gpu, &reseeded(&alone, tile, NOON + 37.7 * f64::from(tile * tile * tile)));
+        for patch in 0..patches {
+            // Each patch has a seed and an instant of its own, from seconds to decades apart.
+            pass.prepare(&gpu, &reseeded(&alone, patch, NOON + 37.7 * f64::from(patch * patch * patch)));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             pass.dispatch(&mut encoder.begin_compute_pass(&Default::default()));
             gpu.queue.submit([encoder.finish()]);
@@ -110,7 +110,7 @@ fn the_tile_on_the_gpu_has_the_models_variances_in_every_octave() {
         for ((name, want), found) in [("height", unit), ("along", x), ("across", y)].into_iter().zip(sums) {
             let (mean, error) = (found.mean(), found.error());
             println!("octave {octave} {name}: {:.4} ± {:.4} of the model's", mean / want, error / want);
-            // The tiles' own error; 16-bit values add 2^-11 of the variance at most.
+            // The patches' own error; 16-bit values add 2^-11 of the variance at most.
             assert!(
                 (mean - want).abs() < 3.5 * error + 1e-3 * want,
                 "octave {octave} {name}: {mean} of {want} ± {error}"
@@ -140,14 +140,14 @@ fn along_the_mix(water: &mut Water, settings: &Settings, realisations: u32) -> [
     let waves_of_sea = Waves::of(&sea.sea);
     let m0 = (sea.sea.sea.hs_m / 4.0).powi(2);
     let slopes = sea.sea.slopes();
-    // The whole of the longest tile, and with it the noise's tile several times: every phase of a lattice cell alike.
+    // The whole of the longest patch, and with it the noise's patch several times: every phase of a lattice cell alike.
     let side_m = sea.sea.cascades[0].patch_m;
     let stations = STATIONS.map(|r| [MIX_NEAR_M + r * (MIX_FAR_M - MIX_NEAR_M), 0.0]);
     let mut found = [[Ensemble::default(); 3]; 5];
     let mut sums = [[0.0; 3]; 5];
     for realisation in 0..realisations {
         let now = reseeded(&sea, realisation, NOON + 1e4 * f64::from(realisation * realisation));
-        // The waves of a tile are worth far more samples than the noise of one; what has the same waves counts as one realisation.
+        // The waves of a patch are worth far more samples than the noise of one; what has the same waves counts as one realisation.
         if realisation % SHARED == 0 {
             water.set_sea(&waves_of_sea, realisation, now.unix_seconds);
         }

@@ -1,4 +1,4 @@
-//! The GPU's waves against the f64 model, on the golden tile and on a whole sea.
+//! The GPU's waves against the f64 model, on the golden patch and on a whole sea.
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::context::device_descriptor;
@@ -72,7 +72,7 @@ fn in_order(f: &Fields) -> [&Vec<f64>; 8] {
     [&f.dx, &f.dy, &f.eta, &f.dx_y, &f.eta_x, &f.eta_y, &f.dx_x, &f.dy_y]
 }
 
-/// A tile with all its waves at the same height, in the mean, of some `deviation_m` together, and what the model makes of it at
+/// A patch with all its waves at the same height, in the mean, of some `deviation_m` together, and what the model makes of it at
 /// [`LATER_S`]. White noise shows errors of a transform that a sea's few long waves would hide.
 fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields) {
     let cascade = Cascade { n, patch_m, k_min: 0.0, k_max: f64::INFINITY };
@@ -110,21 +110,21 @@ fn worst_over_rms(got: &[f64], want: &[f64]) -> f64 {
 #[test]
 fn the_golden_tile_comes_out_as_the_direct_sums_say() {
     let oracle: serde_json::Value = serde_json::from_str(include_str!("../oracles/fft.json")).unwrap();
-    let tile = &oracle["golden_tile"];
-    let n = tile["N"].as_u64().unwrap() as usize;
+    let patch = &oracle["golden_tile"];
+    let n = patch["N"].as_u64().unwrap() as usize;
     let list = |v: &serde_json::Value| -> Vec<f64> {
         let grid: Vec<f64> = v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
         transposed(&grid, n)
     };
-    let cascade = Cascade { n, patch_m: tile["L"].as_f64().unwrap(), k_min: 0.0, k_max: f64::INFINITY };
-    let h0: Vec<[f64; 2]> = list(&tile["h0_re"]).into_iter().zip(list(&tile["h0_im"])).map(|(a, b)| [a, b]).collect();
+    let cascade = Cascade { n, patch_m: patch["L"].as_f64().unwrap(), k_min: 0.0, k_max: f64::INFINITY };
+    let h0: Vec<[f64; 2]> = list(&patch["h0_re"]).into_iter().zip(list(&patch["h0_im"])).map(|(a, b)| [a, b]).collect();
     let omegas: Vec<f64> = cascade.wave_vectors().map(|(x, y)| dispersion::omega_deep(x.hypot(y))).collect();
     let mut data = WaveData::default();
     data.push(&cascade, &h0, &omegas);
-    let ticks = waves::ticks_from_unix(tile["t"].as_f64().unwrap());
+    let ticks = waves::ticks_from_unix(patch["t"].as_f64().unwrap());
     let got = &transformed(&gpu(), &[cascade], &data, ticks)[0];
     for (field, name) in ["Dx", "Dz", "eta", "Dx_z", "eta_x", "eta_z", "Dx_x", "Dz_z"].into_iter().enumerate() {
-        let want = list(&tile["fields"][name]);
+        let want = list(&patch["fields"][name]);
         let error = worst_over_rms(&got[field], &want);
         println!("{name}: {error:.2e}");
         assert!(error < TOLERANCE, "{name}: {error:e}");
@@ -233,7 +233,7 @@ fn sixteen_bits_cost_less_than_their_last_place() {
 }
 
 #[test]
-fn tiles_that_need_several_bindings_come_out_the_same() {
+fn patches_that_need_several_bindings_come_out_the_same() {
     let (n, seed) = (32, 3);
     let tables = SeaTables::new(Sea::from_wind(12.0, seed, 1.0), n);
     let data = WaveData::of(&tables);

@@ -13,15 +13,15 @@ use crate::foam_map::{NOON, Sea, blown, ticks};
 fn coverage(settings: &Settings) -> [f64; LEVELS] {
     let sea = Sea::new(settings);
     let uniform = sea.frame.uniform;
-    // The finest square is smaller than a long wave: it is looked at in four places, laid out by their fractions, the second in two.
+    // The finest level is smaller than a long wave: it is looked at in four places, laid out by their fractions, the second in two.
     let elsewhere = |levels: [usize; 4], first: usize| {
         let mut elsewhere = uniform;
-        for (index, square) in elsewhere.foam_levels.iter_mut().enumerate() {
-            *square = uniform.foam_levels[levels[index]];
+        for (index, own) in elsewhere.foam_levels.iter_mut().enumerate() {
+            *own = uniform.foam_levels[levels[index]];
             let turn = 2.4 * (first + index) as f64;
             let out = 350.0 + 300.0 * (first + index) as f64;
-            square.fraction[0] -= (out * turn.cos() / TEXELS_M[levels[index]]) as f32;
-            square.fraction[1] -= (out * turn.sin() / TEXELS_M[levels[index]]) as f32;
+            own.fraction[0] -= (out * turn.cos() / TEXELS_M[levels[index]]) as f32;
+            own.fraction[1] -= (out * turn.sin() / TEXELS_M[levels[index]]) as f32;
         }
         elsewhere
     };

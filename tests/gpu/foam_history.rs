@@ -30,8 +30,8 @@ fn foam_that_no_crest_renews_decays_with_its_lifetime() {
     sea.bring(&mut map, start, &eye);
     let before = sea.foam(&map, 1);
     let mut calm = sea.frame.uniform;
-    for square in &mut calm.foam_levels {
-        square.threshold = -1e3;
+    for own in &mut calm.foam_levels {
+        own.threshold = -1e3;
     }
     sea.gpu.queue.write_buffer(&map.uniform, 0, bytemuck::bytes_of(&calm));
     sea.step(&mut map, start + ticks(0.7), &eye);
@@ -91,7 +91,7 @@ fn foam_stays_where_it_is_when_the_eye_moves() {
     }
     for (level, start) in start.iter().enumerate() {
         let here = sea.foam(&map, level);
-        // What every square on the way has held.
+        // What every level on the way has held.
         let reach = |at: &FoamEye, [x, y]: [i32; 2]| {
             let [ex, ey] = at.texel(level).0;
             (-TEXELS / 2..TEXELS / 2).contains(&(x - ex)) && (-TEXELS / 2..TEXELS / 2).contains(&(y - ey))

@@ -102,11 +102,11 @@ impl Sea {
         self.advance(map, &step);
     }
 
-    /// As [`Sea::step`], of a map whose squares are laid out as these levels: foam grows by the crests of its level.
+    /// As [`Sea::step`], of a map laid out in these levels: foam grows by the crests of its level.
     pub fn step_as(&self, map: &mut Map, levels: [usize; LEVELS], now: u64, eye: &FoamEye) {
         let mut step = map.history.step(now, eye, self.lifetime_s);
         if step.empty == 0 {
-            // Every square is due at every step: the time that has passed is what all of them have decayed by.
+            // Every level is due at every step: the time that has passed is what all of them have decayed by.
             let dt_s = -self.lifetime_s * f64::from(step.keep[0]).ln();
             step.grow = levels.map(|level| foam::ungrown(TEXELS_M[level], dt_s) as f32);
         }
@@ -127,14 +127,14 @@ impl Sea {
     /// As a frame does: as many steps as the map asks for. Returns their number.
     pub fn bring(&self, map: &mut Map, now: u64, eye: &FoamEye) -> usize {
         let mut uniform = self.frame.uniform;
-        for (level, square) in uniform.foam_levels.iter_mut().enumerate() {
-            (square.texel, square.fraction) = eye.texel(level);
+        for (level, own) in uniform.foam_levels.iter_mut().enumerate() {
+            (own.texel, own.fraction) = eye.texel(level);
         }
-        // The frame's cells stay where its own eye is: the squares are laid out from there.
+        // The frame's cells stay where its own eye is: the levels are laid out from there.
         let moved = eye.at - self.frame.foam_eye.at;
-        for (level, square) in uniform.foam_levels.iter_mut().enumerate() {
+        for (level, own) in uniform.foam_levels.iter_mut().enumerate() {
             let shift = (moved / TEXELS_M[level]).as_vec2();
-            square.fraction = [square.fraction[0] - shift.x, square.fraction[1] - shift.y];
+            own.fraction = [own.fraction[0] - shift.x, own.fraction[1] - shift.y];
         }
         self.gpu.queue.write_buffer(&map.uniform, 0, bytemuck::bytes_of(&uniform));
         let mut steps = 0;

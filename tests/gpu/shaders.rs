@@ -208,8 +208,8 @@ fn constants_are_equal_on_both_sides() {
     let land = land::source(false);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
-    assert_eq!(constant(&ocean, "TILES"), wave_domain::TILES as f64);
-    assert_eq!(constant(&ocean, "PERLIN_TILE"), wave_domain::PERLIN_TILE as f64);
+    assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);
+    assert_eq!(constant(&ocean, "PERLIN_PATCH"), wave_domain::PERLIN_PATCH as f64);
     assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
     assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
     assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
@@ -227,8 +227,8 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);
     assert_eq!(constant(&ocean, "FOAM_LEVELS"), scene_foam::LEVELS as f64);
     assert_eq!(constant(&ocean, "FOAM_TEXELS"), f64::from(scene_foam::TEXELS));
-    let shortest = ocean_globe::model::foam::SHORTEST_TILE_TEXELS;
-    assert_eq!(constant(&foam::source(), "SHORTEST_TILE_TEXELS"), shortest);
+    let shortest = ocean_globe::model::foam::SHORTEST_PATCH_TEXELS;
+    assert_eq!(constant(&foam::source(), "SHORTEST_PATCH_TEXELS"), shortest);
     assert_eq!(constant(&ocean, "NEAR"), f64::from(uniform::NEAR_M as f32));
     let polar = ocean_globe::data::tile::POLAR_HALF_SIDE;
     assert_eq!(constant(&ocean, "POLAR_EXTENT"), f64::from(polar as f32));

@@ -17,13 +17,13 @@ fn pairs(water: &Water, texture: &wgpu::Texture, layer: u32, mip: u32) -> (Vec<[
     bytes.chunks_exact(16).map(pair).unzip()
 }
 
-/// Slope variance that the means over 2^mip by 2^mip samples keep of the waves of a tile, along the wind and across it.
-fn kept(tile: &waves::Cascade, energies: &[f64], mip: u32) -> [f64; 2] {
-    let (step, block) = (tile.patch_m / tile.n as f64, f64::from(1 << mip));
+/// Slope variance that the means over 2^mip by 2^mip samples keep of the waves of a patch, along the wind and across it.
+fn kept(patch: &waves::Cascade, energies: &[f64], mip: u32) -> [f64; 2] {
+    let (step, block) = (patch.patch_m / patch.n as f64, f64::from(1 << mip));
     // The mean of e^{ikx} over `block` samples.
     let mean = |k: f64| if k == 0.0 { 1.0 } else { (0.5 * k * step * block).sin() / (block * (0.5 * k * step).sin()) };
     let mut sum = [0.0; 2];
-    for ((kx, ky), energy) in tile.wave_vectors().zip(energies).filter(|(_, energy)| **energy > 0.0) {
+    for ((kx, ky), energy) in patch.wave_vectors().zip(energies).filter(|(_, energy)| **energy > 0.0) {
         let left = (mean(kx) * mean(ky)).powi(2);
         sum = [sum[0] + kx * kx * energy * left, sum[1] + ky * ky * energy * left];
     }
@@ -39,7 +39,7 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
     let tables = SeaTables::new(sea.sea.sea, N);
     let waves_of_sea = Waves::of(&tables);
     let mips = water.fft.slopes.mip_level_count();
-    // [mip][axis]: resolved and unresolved of all tiles, in the mean.
+    // [mip][axis]: resolved and unresolved of all patches, in the mean.
     let mut found = vec![[[Ensemble::default(); 2]; 2]; mips as usize];
     for seed in 0..SEEDS {
         water.set_sea(&waves_of_sea, seed, NOON);
@@ -55,7 +55,7 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
                     for (slope, square) in slopes.iter().zip(&squares) {
                         let hidden = square[axis] - slope[axis] * slope[axis];
                         // A mean of squares is at least the square of the mean, but for the roundings of 32 bits.
-                        assert!(hidden > -1e-6 * square[axis] - 1e-12, "tile {layer} mip {mip}: {hidden}");
+                        assert!(hidden > -1e-6 * square[axis] - 1e-12, "patch {layer} mip {mip}: {hidden}");
                         unresolved += hidden / count;
                     }
                     if mip == 0 {
@@ -63,7 +63,11 @@ fn every_mip_level_keeps_or_hides_all_slopes() {
                     }
                     // In one realisation: means of means lose 2^-24 at each of at most 5 levels.
                     let all = resolved + unresolved;
-                    assert!((all / whole[axis] - 1.0).abs() < 1e-5, "tile {layer} mip {mip}: {all} of {}", whole[axis]);
+                    assert!(
+                        (all / whole[axis] - 1.0).abs() < 1e-5,
+                        "patch {layer} mip {mip}: {all} of {}",
+                        whole[axis]
+                    );
                     sums[mip as usize][axis][0] += resolved;
                     sums[mip as usize][axis][1] += unresolved;
                 }
@@ -134,7 +138,7 @@ fn the_drawn_slopes_and_their_roughness_add_up_under_every_footprint() {
                 println!("{speed} m/s, {distance} m, footprint {footprint} m: along {along:.4?}, across {across:.4?}");
                 let both = (along.2 * total[0] + across.2 * total[1]) / (total[0] + total[1]);
                 assert!((both - 1.0).abs() < 0.02, "{speed} m/s, {distance} m, footprint {footprint} m: {both}");
-                // The noise's tile keeps the sum of both axes' squares, and its own slopes say how they share it: along the wind
+                // The noise's patch keeps the sum of both axes' squares, and its own slopes say how they share it: along the wind
                 // 0.75 of them in its short octaves and 0.8 in its long ones. A twentieth of the 0.4 that it holds in a light
                 // wind, put on the wrong axis, is 2 % of the whole, and more of the smaller one.
                 let bound = if distance == 0.0 { 0.02 } else { 0.04 };

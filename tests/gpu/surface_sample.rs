@@ -40,7 +40,7 @@ fn drawn(water: &mut Water, frame: &Frame, points: &[DVec3]) -> Vec<([f32; 4], [
     moved.into_iter().zip(sloped).collect()
 }
 
-/// Places around an eye, latitude and longitude in radians, as far as the waves are the tiles' alone.
+/// Places around an eye, latitude and longitude in radians, as far as the waves are the patches' alone.
 fn places(camera: &Camera) -> Vec<(f64, f64)> {
     let enu = earth::ecef_from_enu(camera.lat, camera.lon);
     let foot = WGS84.ecef_from_geodetic(Geodetic { height: 0.0, ..camera.geodetic() });
@@ -111,7 +111,7 @@ fn height_and_normal_are_those_of_the_shaders_in_a_gale() {
             100.0 * worst_landing
         );
         // 16-bit floats keep heights up to 8 m to 2 mm and each gradient up to 1 to 2.4e-4; the filter's fractions of 1/256
-        // texel shift by 4 cm in the longest tile, 4 mm on its slopes of 0.1.
+        // texel shift by 4 cm in the longest patch, 4 mm on its slopes of 0.1.
         assert!(worst_m < 0.01, "{lat},{lon}: {worst_m} m");
         assert!(worst_deg < 0.1, "{lat},{lon}: {worst_deg} deg");
         assert!(worst_landing < 0.02, "{lat},{lon}: the chop brings the water {worst_landing} m beside the place");

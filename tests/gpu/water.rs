@@ -32,7 +32,8 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     let p = vec3f(place.xy, -frame.eye_altitude);
     let slopes = slopes_at(p, place.z, place.w);
     let plane = plane_of(0u);
-    let placed = placement(plane, 0u, frame.spacings.x, frame.patches.x, triangle_around(plane, 0u, frame.spacings.x, in_plane(plane, p)), 0u);
+    let triangle = lattice_triangle(plane, 0u, frame.spacings.x, in_plane(plane, p));
+    let placed = placement(plane, 0u, frame.spacings.x, frame.patches.x, triangle, 0u);
     let ax = placed.axis_x;
     let ay = placed.axis_y;
     found[2u * id.x] = vec4f(displacement_at(p, place.z, place.w).z, 0.0, 0.0, 0.0);
@@ -47,25 +48,25 @@ pub struct Drawn {
     pub rough: [f64; 2],
 }
 
-/// Energies and frequencies of a sea's tiles, so that another seed costs its random numbers alone.
+/// Energies and frequencies of a sea's patches, so that another seed costs its random numbers alone.
 pub struct Waves {
-    pub tiles: [Cascade; waves::CASCADES],
+    pub patches: [Cascade; waves::CASCADES],
     pub energies: Vec<Vec<f64>>,
     pub omegas: Vec<Vec<f64>>,
 }
 
 impl Waves {
     pub fn of(tables: &SeaTables) -> Self {
-        let (tiles, spectrum) = (tables.cascades, tables.sea.spectrum());
-        let energies = tiles.iter().map(|tile| waves::cell_energies(&spectrum, tile)).collect();
-        let omegas = tiles.iter().map(|tile| tables.frequencies(tile)).collect();
-        Self { tiles, energies, omegas }
+        let (patches, spectrum) = (tables.cascades, tables.sea.spectrum());
+        let energies = patches.iter().map(|patch| waves::cell_energies(&spectrum, patch)).collect();
+        let omegas = patches.iter().map(|patch| tables.frequencies(patch)).collect();
+        Self { patches, energies, omegas }
     }
 
     pub fn data(&self, seed: u32) -> WaveData {
         let mut data = WaveData::default();
-        for (index, tile) in self.tiles.iter().enumerate() {
-            data.push(tile, &waves::amplitudes(&self.energies[index], seed, index, tile), &self.omegas[index]);
+        for (index, patch) in self.patches.iter().enumerate() {
+            data.push(patch, &waves::amplitudes(&self.energies[index], seed, index, patch), &self.omegas[index]);
         }
         data
     }
@@ -77,7 +78,7 @@ pub fn chopless(speed_mps: f64) -> Settings {
 }
 
 /// A frame of a chopless sea whose eye is over the middle of a wave cell, where no other cell has a share, and on a vertex of
-/// lattices so wide that no other vertex has one: the water of one placement of each tile.
+/// lattices so wide that no other vertex has one: the water of one placement of each patch.
 pub fn frame(settings: &Settings, unix_seconds: f64) -> Frame {
     let cell = wave_domain::cells_near(0.6, -0.5)[0];
     let camera = Camera::from_degrees(cell.lat.to_degrees(), cell.lon.to_degrees(), 3.0, 0.0, 0.0);
@@ -106,7 +107,7 @@ pub struct Water {
 }
 
 impl Water {
-    /// Tiles of `n` samples; `edited` may change the drawing shaders' text.
+    /// Patches of `n` samples; `edited` may change the drawing shaders' text.
     pub fn new(n: usize, precision: Precision, edited: impl Fn(String) -> String) -> Self {
         use wgpu::TextureViewDimension::*;
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
@@ -124,8 +125,8 @@ impl Water {
     }
 
     /// Runs the waves at an instant.
-    pub fn set_waves(&mut self, tiles: &[Cascade], data: &WaveData, ticks: u64) {
-        self.fft.set_waves(&self.gpu, tiles, data);
+    pub fn set_waves(&mut self, patches: &[Cascade], data: &WaveData, ticks: u64) {
+        self.fft.set_waves(&self.gpu, patches, data);
         self.fft.set_time(&self.gpu, ticks);
         self.run(|water, pass| {
             water.fft.dispatch(pass);
@@ -135,7 +136,7 @@ impl Water {
 
     /// Runs the waves of a sea, with a seed, at a time.
     pub fn set_sea(&mut self, waves: &Waves, seed: u32, unix_seconds: f64) {
-        self.set_waves(&waves.tiles, &waves.data(seed), waves::ticks_from_unix(unix_seconds));
+        self.set_waves(&waves.patches, &waves.data(seed), waves::ticks_from_unix(unix_seconds));
     }
 
     /// Runs the far sea of a frame.

@@ -1,4 +1,4 @@
-//! Where the wave tiles lie: on the GPU to a millimetre, anywhere on earth and from any eye, against arithmetic with 106 bits.
+//! Where the wave patches lie: on the GPU to a millimetre, anywhere on earth and from any eye, against arithmetic with 106 bits.
 
 use std::sync::Mutex;
 
@@ -7,7 +7,7 @@ use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::model::noise;
-use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_CELLS, TILES};
+use ocean_globe::model::wave_domain::{self, LEAST_SHARE, MAX_CELLS, PATCHES};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::frame::uniform::WaveCell;
 use ocean_globe::scene::sea::Seas;
@@ -24,21 +24,21 @@ struct Found { at: vec2f, weight: f32, unused: f32, vertex: vec2i, unused_i: vec
 fn locate(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&points) { return; }
     let plane = plane_of(u32(points[id.x].w));
-    for (var tile = 0u; tile < TILES; tile++) {
-        let spacing = select(frame.spacings[tile & 3u], frame.perlin_spacing, tile == PERLIN_TILE);
-        let patch_length = select(frame.patches[tile & 3u], frame.perlin_patch, tile == PERLIN_TILE);
-        let triangle = triangle_around(plane, tile, spacing, in_plane(plane, points[id.x].xyz));
+    for (var index = 0u; index < PATCHES; index++) {
+        let spacing = select(frame.spacings[index & 3u], frame.perlin_spacing, index == PERLIN_PATCH);
+        let patch_length = select(frame.patches[index & 3u], frame.perlin_patch, index == PERLIN_PATCH);
+        let triangle = lattice_triangle(plane, index, spacing, in_plane(plane, points[id.x].xyz));
         for (var k = 0u; k < 3u; k++) {
-            let placed = placement(plane, tile, spacing, patch_length, triangle, k);
+            let placed = placement(plane, index, spacing, patch_length, triangle, k);
             let down = select(0, 1, triangle.down);
             let which = vec2i(i32(triangle.order[k] == 1u), i32(triangle.order[k] == 2u));
             let vertex = triangle.corner + select(which, vec2i(1) - which, triangle.down);
-            found[(id.x * TILES + tile) * 3u + k] = Found(placed.at, triangle.weights[k], 0.0, vertex, vec2i(down));
+            found[(id.x * PATCHES + index) * 3u + k] = Found(placed.at, triangle.weights[k], 0.0, vertex, vec2i(down));
         }
     }
 }";
 
-/// A tile at a vertex on the GPU; `at` in tile lengths.
+/// A patch at a vertex on the GPU; `at` in patch lengths.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct Found {
@@ -67,19 +67,19 @@ impl Domain {
         Self { gpu, layouts, pipeline }
     }
 
-    /// The tiles under points (local to their cell's eye, cell), three vertices of each.
+    /// The patches under points (local to their cell's eye, cell), three vertices of each.
     fn locate(
         &self,
         frame: &Frame,
         wave_cells: &[WaveCell; MAX_CELLS],
         points: &[[f32; 4]],
-    ) -> Vec<[[Found; 3]; TILES]> {
+    ) -> Vec<[[Found; 3]; PATCHES]> {
         use wgpu::BufferUsages as B;
         let gpu = &self.gpu;
         let uniform = gpu.buffer("frame", B::UNIFORM, bytemuck::bytes_of(&frame.uniform));
         let wave_cells = gpu.buffer("wave_cells", B::UNIFORM, bytemuck::cast_slice(wave_cells));
         let input = gpu.buffer("points", B::STORAGE, bytemuck::cast_slice(points));
-        let size = (points.len() * TILES * 3 * size_of::<Found>()) as u64;
+        let size = (points.len() * PATCHES * 3 * size_of::<Found>()) as u64;
         let output = gpu.empty_buffer("found", B::STORAGE | B::COPY_SRC, size);
         let copy = gpu.empty_buffer("found", B::MAP_READ | B::COPY_DST, size);
         let groups = [
@@ -98,8 +98,8 @@ impl Domain {
         gpu.queue.submit([encoder.finish()]);
         let bytes = gpu.read_buffer(&copy).unwrap();
         let vertices: Vec<Found> = bytes.chunks_exact(size_of::<Found>()).map(bytemuck::pod_read_unaligned).collect();
-        let tile = |k: usize| [vertices[k], vertices[k + 1], vertices[k + 2]];
-        (0..points.len()).map(|p| std::array::from_fn(|t| tile((p * TILES + t) * 3))).collect()
+        let patch = |k: usize| [vertices[k], vertices[k + 1], vertices[k + 2]];
+        (0..points.len()).map(|p| std::array::from_fn(|t| patch((p * PATCHES + t) * 3))).collect()
     }
 }
 
@@ -188,15 +188,15 @@ fn word(p: [u32; 3]) -> u32 {
 /// A point seen from an eye, its cell, and the sea around it.
 struct Sight<'a> {
     settings: &'a Settings,
-    patches_m: [f64; TILES],
+    patches_m: [f64; PATCHES],
     address: [i32; 3],
     camera: Camera,
     local: [f32; 3],
 }
 
 impl Sight<'_> {
-    /// The tiles of the GPU against exact ones: the worst error of a tile's place, metres, and of a weight in metres of way.
-    fn errors(&self, found: &[[Found; 3]; TILES]) -> (f64, f64) {
+    /// The patches of the GPU against exact ones: the worst error of a patch's place, metres, and of a weight in metres of way.
+    fn errors(&self, found: &[[Found; 3]; PATCHES]) -> (f64, f64) {
         let (sin_lat, cos_lat) = ex(self.camera.lat).sin_cos();
         let (sin_lon, cos_lon) = ex(self.camera.lon).sin_cos();
         let (eye, enu) = place([cos_lat * cos_lon, cos_lat * sin_lon, sin_lat], ex(self.camera.altitude_m));
@@ -210,8 +210,8 @@ impl Sight<'_> {
         let [face, i, j] = self.address;
         let key = (noise::bits(self.settings.seed, 1_000, face * 65_536 + i * 256 + j, 0)[0] >> 32) as u32;
         let (mut place_m, mut weight_m) = (0.0f64, 0.0f64);
-        for (tile, vertices) in found.iter().enumerate() {
-            let (patch, spacing) = (self.patches_m[tile], wave_domain::spacing_m(self.patches_m[tile]));
+        for (patch, vertices) in found.iter().enumerate() {
+            let (length, spacing) = (self.patches_m[patch], wave_domain::spacing_m(self.patches_m[patch]));
             let mut shares = [0.0; 3];
             for (share, found) in shares.iter_mut().zip(vertices) {
                 let [i, j] = found.vertex.map(f64::from);
@@ -224,13 +224,13 @@ impl Sight<'_> {
                 let bits = word([
                     found.vertex[0] as u32,
                     found.vertex[1] as u32,
-                    key.wrapping_add((tile as u32).wrapping_mul(0x9E37_79B9)),
+                    key.wrapping_add((patch as u32).wrapping_mul(0x9E37_79B9)),
                 ]);
                 let offset =
-                    [f64::from(bits >> 16), f64::from(bits & 0xFFFF)].map(|x| ex((x / 65_536.0 - 0.5) * patch));
+                    [f64::from(bits >> 16), f64::from(bits & 0xFFFF)].map(|x| ex((x / 65_536.0 - 0.5) * length));
                 for (got, want) in found.at.into_iter().zip([along + offset[0], left + offset[1]]) {
-                    let error = (ex(f64::from(got) * patch) - want).0;
-                    // Vertices that do not serve may be farther off than a tile.
+                    let error = (ex(f64::from(got) * length) - want).0;
+                    // Vertices that do not serve may be farther off than a patch.
                     if found.weight > 0.0 {
                         place_m = place_m.max(error.abs());
                     }
@@ -249,9 +249,9 @@ impl Sight<'_> {
     }
 }
 
-fn patches_m(frame: &Frame) -> [f64; TILES] {
+fn patches_m(frame: &Frame) -> [f64; PATCHES] {
     let tables = &frame.sea;
-    std::array::from_fn(|tile| tables.cascades.get(tile).map_or(tables.perlin.patch_m, |cascade| cascade.patch_m))
+    std::array::from_fn(|patch| tables.cascades.get(patch).map_or(tables.perlin.patch_m, |cascade| cascade.patch_m))
 }
 
 /// Places evenly over the sphere, degrees, after those where a careless globe breaks.
@@ -296,12 +296,12 @@ fn sines_and_roots_have_more_than_a_hundred_bits() {
 static TURN: Mutex<()> = Mutex::new(());
 
 #[test]
-fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
+fn patches_lie_to_a_millimetre_at_ten_thousand_places() {
     let _turn = TURN.lock();
     let domain = Domain::new();
     let (mut worst, mut worst_weight, mut seen) = (0.0f64, 0.0f64, 0);
     let mut seas = Seas::default();
-    // The far sea's tile is longest in a hurricane.
+    // The far sea's patch is longest in a hurricane.
     for (beaufort, count) in [(8, 10_000), (12, 2_000)] {
         let settings = Settings { beaufort: Some(beaufort), seed: 5, ..Settings::default() };
         let all: Vec<[f64; 2]> = places(count).collect();
@@ -331,14 +331,14 @@ fn tiles_lie_to_a_millimetre_at_ten_thousand_places() {
             }
         }
     }
-    println!("{seen} points: tiles within {:.3} mm, weights within {:.3} mm of way", 1e3 * worst, 1e3 * worst_weight);
+    println!("{seen} points: patches within {:.3} mm, weights within {:.3} mm of way", 1e3 * worst, 1e3 * worst_weight);
     // A weight changes by up to 3.5 per spacing; of a point whose f32 place is off by up to a millimetre, with the
     // weights' own rounding of 2^-23 of a spacing of up to 6.4 km on top.
     assert!(worst_weight < 8e-3, "{worst_weight} m");
 }
 
 #[test]
-fn a_place_has_the_same_tiles_for_every_eye() {
+fn a_place_has_the_same_patches_for_every_eye() {
     let _turn = TURN.lock();
     let domain = Domain::new();
     let settings = Settings { beaufort: Some(8), ..Settings::default() };
@@ -372,17 +372,17 @@ fn a_place_has_the_same_tiles_for_every_eye() {
         };
         for far in [Camera { altitude_m: 5_000.0, ..near }, beside] {
             let (_, far) = seen(far);
-            for ((patch, close), far) in patches_m.into_iter().zip(close).zip(far) {
+            for ((length, close), far) in patches_m.into_iter().zip(close).zip(far) {
                 for vertex in close.iter().filter(|vertex| vertex.weight > 0.01) {
                     let same = far.iter().find(|found| found.vertex == vertex.vertex).expect("the same vertices serve");
                     for (a, b) in vertex.at.into_iter().zip(same.at) {
-                        worst = worst.max(patch * f64::from(a - b).abs());
+                        worst = worst.max(length * f64::from(a - b).abs());
                     }
                 }
             }
         }
     }
-    println!("from 5 km away tiles lie within {:.3} mm of where they lie from 5 m", 1e3 * worst);
+    println!("from 5 km away patches lie within {:.3} mm of where they lie from 5 m", 1e3 * worst);
     // A millimetre each for two eyes, and 5 km in f32: each coordinate is rounded by up to 0.25 mm, and so is its share of the plane's axes.
     assert!(worst < 3e-3, "{worst} m");
 }

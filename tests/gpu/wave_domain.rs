@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 
 use glam::{DMat2, DVec2, DVec3};
-use ocean_globe::model::drawn_tiles::DrawnTiles;
+use ocean_globe::model::drawn_patches::DrawnPatches;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::model::moved_water::{Motion, Place};
 use ocean_globe::model::sea_bed::smoothstep;
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
-use ocean_globe::model::wave_domain::{self, PERLIN_TILE, Plane, TILES};
+use ocean_globe::model::wave_domain::{self, PATCHES, PERLIN_PATCH, Plane};
 use ocean_globe::model::{noise, perlin, waves};
 use ocean_globe::pass::fft::Precision;
 use ocean_globe::scene::frame::{Frame, MIX_FAR_M};
@@ -26,8 +26,8 @@ fn blowing(beaufort: u8) -> Settings {
     Settings { beaufort: Some(beaufort), chop: 0.0, quality: Quality::Low, ..Settings::default() }
 }
 
-fn patches_m(tables: &SeaTables) -> [f64; TILES] {
-    std::array::from_fn(|tile| tables.cascades.get(tile).map_or(tables.perlin.patch_m, |cascade| cascade.patch_m))
+fn patches_m(tables: &SeaTables) -> [f64; PATCHES] {
+    std::array::from_fn(|patch| tables.cascades.get(patch).map_or(tables.perlin.patch_m, |cascade| cascade.patch_m))
 }
 
 /// Places evenly over the sphere, radians.
@@ -52,37 +52,37 @@ fn waves_are_as_long_and_go_where_they_should_up_to_100_km_from_the_poles() {
     });
     let highest = (90.0 - nearest_deg).to_radians();
     let everywhere = spread(4_000).filter(|(lat, _)| lat.abs() < highest);
-    let (mut longest, mut turned) = (0.0f64, [0.0f64; TILES]);
+    let (mut longest, mut turned) = (0.0f64, [0.0f64; PATCHES]);
     for (lat, lon) in polar.chain(everywhere) {
         let enu = earth::ecef_from_enu(lat, lon);
         let foot = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
         let cells = wave_domain::cells_near(lat, lon);
         let serving = wave_domain::blend(&cells, foot);
         assert!(serving.len() <= 4);
-        for (tile, patch_m) in patches_m.into_iter().enumerate() {
+        for (patch, patch_m) in patches_m.into_iter().enumerate() {
             // Sums over whatever serves, by energy.
             let (mut direction, mut stretch, mut energy) = (DVec2::ZERO, 0.0, 0.0);
             for &(cell, share) in &serving {
                 let plane = Plane::new(cell, settings.seed, from);
-                for here in plane.placements(tile, patch_m, plane.point(foot)) {
-                    // The place in the tile a metre on, east and north, by the same vertex.
+                for here in plane.placements(patch, patch_m, plane.point(foot)) {
+                    // The place in the patch a metre on, east and north, by the same vertex.
                     let step = |axis: DVec3| {
                         let point = plane.point(foot + axis) - plane.point(foot);
                         DVec2::new(point.dot(here.axes[0]), point.dot(here.axes[1]))
                     };
-                    let tile_from_level = DMat2::from_cols(step(enu.x_axis), step(enu.y_axis));
-                    // The wave vector of a unit wave along the tile's x.
-                    let wave = tile_from_level.transpose() * DVec2::X;
+                    let patch_from_level = DMat2::from_cols(step(enu.x_axis), step(enu.y_axis));
+                    // The wave vector of a unit wave along the patch's x.
+                    let wave = patch_from_level.transpose() * DVec2::X;
                     let weight = (share * here.weight).powi(2);
                     direction += weight * wave.normalize();
-                    stretch += weight * (tile_from_level.determinant().abs().sqrt() - 1.0).abs();
+                    stretch += weight * (patch_from_level.determinant().abs().sqrt() - 1.0).abs();
                     longest = longest.max((wave.length() - 1.0).abs());
                     energy += weight;
                 }
             }
             assert!((energy - 1.0).abs() < 1e-12);
             assert!(stretch < 0.01);
-            turned[tile] = turned[tile].max(direction.angle_to(toward).abs().to_degrees());
+            turned[patch] = turned[patch].max(direction.angle_to(toward).abs().to_degrees());
         }
     }
     println!("wavelengths within {:.4} %, directions within {turned:.3?} deg", 100.0 * longest);
@@ -90,11 +90,17 @@ fn waves_are_as_long_and_go_where_they_should_up_to_100_km_from_the_poles() {
     assert!(turned.into_iter().all(|angle| angle < 1.0), "{turned:?} deg");
 }
 
-/// Heights of each tile at a place at rest, metres.
-fn heights(settings: &Settings, tables: &SeaTables, tiles: &DrawnTiles, lat: f64, lon: f64) -> [f64; waves::CASCADES] {
+/// Heights of each patch at a place at rest, metres.
+fn heights(
+    settings: &Settings,
+    tables: &SeaTables,
+    patches: &DrawnPatches,
+    lat: f64,
+    lon: f64,
+) -> [f64; waves::CASCADES] {
     let place = Place::new(tables, settings.wind_from(), lat, lon);
     std::array::from_fn(|wanted| {
-        let only = |tile: usize, at| if tile == wanted { tiles.motion(tile, at) } else { Motion::default() };
+        let only = |patch: usize, at| if patch == wanted { patches.motion(patch, at) } else { Motion::default() };
         place.motion(DVec2::ZERO, only).height
     })
 }
@@ -104,7 +110,7 @@ fn there_is_no_seam_on_the_earth() {
     const STEP_M: f64 = 0.25;
     let settings = blowing(8);
     let tables = SeaTables::of(&settings);
-    let tiles = Seas::default().tiles(&tables, waves::ticks_from_unix(NOON));
+    let patches = Seas::default().patches(&tables, waves::ticks_from_unix(NOON));
     let corner = (1.0f64 / 3.0f64.sqrt()).asin().to_degrees();
     let mut lines: Vec<(String, f64, f64)> = [
         ("equator", 0.0, 12.3),
@@ -130,7 +136,7 @@ fn there_is_no_seam_on_the_earth() {
         }
         lines.push((format!("inside {n}"), cell.lat, cell.lon));
     }
-    // Of neighbouring heights of a tile: the spectrum's slopes along the wind are the greatest, over a step of a quarter of a metre;
+    // Of neighbouring heights of a patch: the spectrum's slopes along the wind are the greatest, over a step of a quarter of a metre;
     // what blending adds is less than 1 %.
     let bound = tables.cascade_slopes.map(|[x, y]| 1.01 * x.max(y).sqrt() * STEP_M);
     let mut worst = [("", 0.0f64); waves::CASCADES];
@@ -144,12 +150,12 @@ fn there_is_no_seam_on_the_earth() {
             let mut last = None;
             for step in 0..=800 {
                 let at = WGS84.geodetic_from_ecef(foot + (f64::from(step) - 400.0) * STEP_M * along).unwrap();
-                let here = heights(&settings, &tables, &tiles, at.lat, at.lon);
+                let here = heights(&settings, &tables, &patches, at.lat, at.lon);
                 if let Some(last) = last.replace(here) {
-                    for tile in 0..waves::CASCADES {
-                        let jump = (here[tile] - last[tile]).abs() / bound[tile];
-                        if jump > worst[tile].1 {
-                            worst[tile] = (name, jump);
+                    for patch in 0..waves::CASCADES {
+                        let jump = (here[patch] - last[patch]).abs() / bound[patch];
+                        if jump > worst[patch].1 {
+                            worst[patch] = (name, jump);
                         }
                     }
                 }
@@ -158,13 +164,13 @@ fn there_is_no_seam_on_the_earth() {
     }
     println!("greatest steps in standard deviations: {worst:.2?}");
     // Of 43,200 Gaussian steps one in thousands of lines passes 6 deviations; a border without blending makes steps of the waves' height,
-    // 60 deviations and more in the two longest tiles.
-    for (tile, (name, jump)) in worst.into_iter().enumerate() {
-        assert!(jump < 6.0, "tile {tile}, {name}: {jump} deviations");
+    // 60 deviations and more in the two longest patches.
+    for (patch, (name, jump)) in worst.into_iter().enumerate() {
+        assert!(jump < 6.0, "patch {patch}, {name}: {jump} deviations");
     }
 }
 
-/// Own correlation of the spectrum's waves of a tile at lags along the wind and across it, m: of heights, slopes along, slopes across.
+/// Own correlation of the spectrum's waves of a patch at lags along the wind and across it, m: of heights, slopes along, slopes across.
 fn own_correlation(spectrum: &dyn DirectionalSpectrum, k: [f64; 2], lag: DVec2) -> [f64; 3] {
     // A plane-filling sequence over wave numbers and angles: 2^16 terms that turn many times err by 1/256.
     const TERMS: usize = 1 << 16;
@@ -185,7 +191,7 @@ fn own_correlation(spectrum: &dyn DirectionalSpectrum, k: [f64; 2], lag: DVec2) 
 }
 
 #[test]
-fn no_tile_shows_its_period() {
+fn no_patch_shows_its_period() {
     const FRAMES: u32 = 90;
     const POINTS: usize = 64;
     let mut water = Water::new(128, Precision::Single, |source| source);
@@ -194,19 +200,19 @@ fn no_tile_shows_its_period() {
     let (all, spectrum) = (Waves::of(&tables), tables.sea.spectrum());
     let mut seas = Seas::default();
     let patches_m = patches_m(&tables);
-    // Multiples of the tile's length along the wind, across it, and both.
+    // Multiples of the patch's length along the wind, across it, and both.
     let lags = [1.0, 2.0, 3.0].map(|m| [[m, 0.0], [0.0, m], [m, m], [m, -m]]).concat();
     let from = settings.wind_from();
     let axes = [DVec2::new(-from.sin(), -from.cos()), DVec2::new(from.cos(), -from.sin())];
-    for (tile, patch_m) in patches_m.into_iter().enumerate() {
+    for (patch, patch_m) in patches_m.into_iter().enumerate() {
         let mut energies = all.energies.clone();
         for (index, energies) in energies.iter_mut().enumerate() {
-            if index != tile {
+            if index != patch {
                 energies.fill(0.0);
             }
         }
-        let alone = Waves { tiles: all.tiles, energies, omegas: all.omegas.clone() };
-        let distance = if tile == PERLIN_TILE { MIX_FAR_M as f32 } else { 0.0 };
+        let alone = Waves { patches: all.patches, energies, omegas: all.omegas.clone() };
+        let distance = if patch == PERLIN_PATCH { MIX_FAR_M as f32 } else { 0.0 };
         // Products at each lag, of height and both slopes, over the products at none.
         let mut found = vec![[Ensemble::default(); 3]; lags.len()];
         let mut squares = [0.0; 3];
@@ -214,9 +220,9 @@ fn no_tile_shows_its_period() {
             let camera = Camera { lat: lat * 0.9, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
             let frame =
                 reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
-            water.set_waves(&alone.tiles, &alone.data(seed), frame.ticks());
+            water.set_waves(&alone.patches, &alone.data(seed), frame.ticks());
             // It has no weight at the waves' places; made once, it would be seen there.
-            if tile == PERLIN_TILE || seed == 0 {
+            if patch == PERLIN_PATCH || seed == 0 {
                 water.set_noise(&frame);
             }
             let mut places = Vec::new();
@@ -246,23 +252,26 @@ fn no_tile_shows_its_period() {
                 }
             }
         }
-        let k = match tables.cascades.get(tile) {
+        let k = match tables.cascades.get(patch) {
             Some(cascade) => [cascade.k_min.max(1e-3), cascade.k_max],
-            // The noise's cells share no lattice gradient from two cells on: at a tile's length it has no correlation of its own.
+            // The noise's cells share no lattice gradient from two cells on: at a patch's length it has no correlation of its own.
             None => [0.0; 2],
         };
         let (mut worst, mut error) = (0.0f64, 0.0f64);
         for (lag, ensembles) in lags.iter().zip(&found) {
-            let own =
-                if tile == PERLIN_TILE { [0.0; 3] } else { own_correlation(&spectrum, k, patch_m * DVec2::from(*lag)) };
+            let own = if patch == PERLIN_PATCH {
+                [0.0; 3]
+            } else {
+                own_correlation(&spectrum, k, patch_m * DVec2::from(*lag))
+            };
             for ((ensemble, square), own) in ensembles.iter().zip(squares).zip(own) {
                 worst = worst.max((ensemble.mean() / square - own).abs());
                 error = error.max(ensemble.error() / square);
             }
         }
-        println!("tile {tile} of {patch_m:.2} m: correlation within {worst:.3} of the spectrum's own, ± {error:.3}");
-        assert!(error < 0.02, "tile {tile}: ± {error} tells too little");
-        assert!(worst < 0.1, "tile {tile}: {worst} at a multiple of its length");
+        println!("patch {patch} of {patch_m:.2} m: correlation within {worst:.3} of the spectrum's own, ± {error:.3}");
+        assert!(error < 0.02, "patch {patch}: ± {error} tells too little");
+        assert!(worst < 0.1, "patch {patch}: {worst} at a multiple of its length");
     }
 }
 
@@ -292,7 +301,7 @@ fn the_variance_is_the_same_everywhere() {
             let camera = Camera { lat, lon, ..Camera::from_degrees(0.0, 0.0, 3.0, 0.0, 0.0) };
             let frame =
                 reseeded(&Frame::of(&mut seas, &settings, &camera, NOON, [64, 64]), seed, NOON + 1e4 * f64::from(seed));
-            water.set_waves(&all.tiles, &all.data(seed), frame.ticks());
+            water.set_waves(&all.patches, &all.data(seed), frame.ticks());
             // It has no weight near by; made once, it would be seen there.
             if what == "far" || seed == 0 {
                 water.set_noise(&frame);
@@ -314,7 +323,8 @@ fn the_variance_is_the_same_everywhere() {
             let (mean, error) = (ensemble.mean(), ensemble.error());
             println!("{what}{}: {name} {mean:.4} ± {error:.4}", if borders { " on borders" } else { "" });
             assert!(error < 0.02, "{what} {name}: ± {error} tells too little");
-            // The ensemble's own error, and the 1 % that the tiles' grids may miss of the spectrum, or that the noise loses between its texels.
+            // The ensemble's own error, and the 1 % that the patches' grids may miss of the spectrum, or that the noise loses between
+            // its texels.
             assert!((mean - 1.0).abs() < 3.5 * error + 0.01, "{what} {name}: {mean} ± {error}");
         }
     }

@@ -1,8 +1,8 @@
-//! Many seas of one spectrum: energies and variances of `oracles/fft.json`, tile by tile and ring by ring.
+//! Many seas of one spectrum: energies and variances of `oracles/fft.json`, patch by patch and ring by ring.
 
 use crate::oracle_sea::OracleSea;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
-use ocean_globe::model::waves::{self, Tile, amplitudes, cell_energies, ticks_from_unix};
+use ocean_globe::model::waves::{self, Patch, amplitudes, cell_energies, ticks_from_unix};
 use ocean_globe::model::{fft, surface};
 use serde_json::Value;
 
@@ -28,20 +28,20 @@ fn samples(row: &Value) -> usize {
     row["N"].as_u64().unwrap() as usize
 }
 
-fn square(n: usize, patch_m: f64, k_min: f64, k_max: f64) -> Tile {
-    Tile { samples: [n; 2], patch_m: [patch_m; 2], k_min, k_max }
+fn square(n: usize, patch_m: f64, k_min: f64, k_max: f64) -> Patch {
+    Patch { samples: [n; 2], patch_m: [patch_m; 2], k_min, k_max }
 }
 
 /// F dk² at the cells' middles, ring half-open: what the oracle calls point-sampled.
-fn point_energy(tile: Tile) -> f64 {
-    let [dx, dy] = tile.dk();
-    let inside = |&(x, y): &(f64, f64)| (tile.k_min..tile.k_max).contains(&x.hypot(y));
-    tile.wave_vectors().filter(inside).map(|(x, y)| OracleSea.density(x, y) * dx * dy).sum()
+fn point_energy(patch: Patch) -> f64 {
+    let [dx, dy] = patch.dk();
+    let inside = |&(x, y): &(f64, f64)| (patch.k_min..patch.k_max).contains(&x.hypot(y));
+    patch.wave_vectors().filter(inside).map(|(x, y)| OracleSea.density(x, y) * dx * dy).sum()
 }
 
 /// The energy of the cells' integrals.
-fn cell_energy(tile: Tile) -> f64 {
-    cell_energies(&OracleSea, tile).iter().sum()
+fn cell_energy(patch: Patch) -> f64 {
+    cell_energies(&OracleSea, patch).iter().sum()
 }
 
 #[test]
@@ -51,9 +51,9 @@ fn the_oracles_sea_is_ours() {
     // The closed forms agree to all printed digits; Simpson's 1024 steps cross the kink of sigma at the peak.
     assert!((OracleSea.variance_between(0.0, f64::INFINITY) / M0 - 1.0).abs() < 1e-4);
     for row in &rows("ensemble", 5) {
-        let tile = square(samples(row), number(row, "L"), 0.0, f64::INFINITY);
+        let patch = square(samples(row), number(row, "L"), 0.0, f64::INFINITY);
         let want = number(row, "sum_F_dk2");
-        assert!((point_energy(tile) / want - 1.0).abs() < 1e-3, "{row}: {}", point_energy(tile));
+        assert!((point_energy(patch) / want - 1.0).abs() < 1e-3, "{row}: {}", point_energy(patch));
     }
 }
 
@@ -62,22 +62,22 @@ fn the_mean_of_many_seas_has_the_spectrums_variance() {
     for row in &rows("ensemble", 5) {
         let n = samples(row);
         let seeds: u32 = if n > 128 { 100 } else { 400 };
-        let tile = square(n, number(row, "L"), 0.0, f64::INFINITY);
-        let energies = cell_energies(&OracleSea, tile);
+        let patch = square(n, number(row, "L"), 0.0, f64::INFINITY);
+        let energies = cell_energies(&OracleSea, patch);
         let want: f64 = energies.iter().sum();
-        let omega = waves::angular_frequencies(tile, f64::INFINITY);
+        let omega = waves::angular_frequencies(patch, f64::INFINITY);
         let (mut mean, mut square_mean, mut worst_imaginary) = (0.0, 0.0, 0.0f64);
         for seed in 0..seeds {
-            let h0 = amplitudes(&energies, seed, 0, tile);
-            let h: Vec<[f64; 2]> = (0..tile.count())
-                .map(|i| surface::evolve(h0[i], h0[tile.mirror(i)], omega[i], omega[i] * 10.0 * f64::from(seed)).0)
+            let h0 = amplitudes(&energies, seed, 0, patch);
+            let h: Vec<[f64; 2]> = (0..patch.count())
+                .map(|i| surface::evolve(h0[i], h0[patch.mirror(i)], omega[i], omega[i] * 10.0 * f64::from(seed)).0)
                 .collect();
             // Every tenth sea is transformed; for the rest Parseval's sum is the variance.
             let mut variance: f64 = h.iter().map(|h| h[0] * h[0] + h[1] * h[1]).sum();
             if seed % 10 == 0 {
                 let mut field = h;
                 fft::inverse_2d(&mut field, n);
-                let spatial = field.iter().map(|x| x[0] * x[0]).sum::<f64>() / tile.count() as f64;
+                let spatial = field.iter().map(|x| x[0] * x[0]).sum::<f64>() / patch.count() as f64;
                 assert!((spatial / variance - 1.0).abs() < 1e-12, "{row}");
                 variance = spatial;
                 let imaginary = field.iter().map(|x| x[1].abs()).fold(0.0, f64::max);
@@ -115,9 +115,9 @@ fn rings_hold_what_the_integrals_say() {
         for i in 0..3 {
             let at = |key: &str| row[key][i].as_f64().unwrap();
             let band = |j: usize| row["bands"][i][j].as_f64().unwrap();
-            let tile = square(samples(row), at("L"), band(0), band(1));
-            let cells = cell_energy(tile);
-            let points = point_energy(tile);
+            let patch = square(samples(row), at("L"), band(0), band(1));
+            let cells = cell_energy(patch);
+            let points = point_energy(patch);
             println!("{} dk: {points:.5e} {cells:.5e} {:.5e}", row["boundary_in_dk_of_next"], at("analytic"));
             // Points agree to the digits; 8 x 8 samples place an edge to a sixteenth of a step: at 1 dk, where k^-3 falls fast and
             // the ring has but 8 cells, 3 % of the ring. Our own rings start at 4 or 6, at N = 64 at 2.
@@ -144,11 +144,11 @@ fn disjoint_rings_share_the_energy_and_whole_spectra_count_it_again() {
         let mut total = [0.0; 2];
         for ring in row["cascades"].as_array().unwrap() {
             let n = samples(row);
-            let tile = square(n, number(ring, "L"), number(ring, "k_lo"), number(ring, "k_hi"));
-            let cells = cell_energy(tile);
+            let patch = square(n, number(ring, "L"), number(ring, "k_lo"), number(ring, "k_hi"));
+            let cells = cell_energy(patch);
             // An open ring ends with its grid, whose corner cells at the edge are cut differently.
-            assert!((point_energy(tile) / number(ring, "sum") - 1.0).abs() < 2e-3, "{ring}: {}", point_energy(tile));
-            total = [total[0] + cells, total[1] + point_energy(tile)];
+            assert!((point_energy(patch) / number(ring, "sum") - 1.0).abs() < 2e-3, "{ring}: {}", point_energy(patch));
+            total = [total[0] + cells, total[1] + point_energy(patch)];
         }
         assert!((total[1] / M0 / number(row, "total_over_m0") - 1.0).abs() < 1e-3, "{row}: {total:?}");
         let shared = (total[0] / M0 - 1.0).abs() < 0.01;
@@ -160,9 +160,9 @@ fn disjoint_rings_share_the_energy_and_whole_spectra_count_it_again() {
 fn the_peak_is_held_whole_on_few_waves() {
     for row in &rows("peak_capture_cell", 3) {
         let waves = number(row, "L_over_lambda_p");
-        let tile = square(256, waves * std::f64::consts::TAU / OracleSea.peak_wavenumber(), 0.0, f64::INFINITY);
-        let cells = cell_energy(tile);
-        println!("{waves} waves: points {:.5}, cells {:.5}", point_energy(tile) / M0, cells / M0);
+        let patch = square(256, waves * std::f64::consts::TAU / OracleSea.peak_wavenumber(), 0.0, f64::INFINITY);
+        let cells = cell_energy(patch);
+        println!("{waves} waves: points {:.5}, cells {:.5}", point_energy(patch) / M0, cells / M0);
         // At half a wave the peak's width is a fourteenth of a cell: eight samples to a side are too few, and four waves the least.
         let tolerance = if waves < 1.0 { 0.2 } else { 0.01 };
         assert!((cells / M0 - number(row, "cell")).abs() < tolerance, "{row}: {}", cells / M0);
@@ -173,29 +173,29 @@ fn the_peak_is_held_whole_on_few_waves() {
 fn neither_grid_nor_lengths_turn_the_waves_or_change_their_height() {
     // The same band on grids of different counts and lengths, twelve seas each.
     for (samples, patch_m) in [([64, 64], [300.0, 300.0]), ([128, 64], [640.0, 290.0]), ([64, 256], [310.0, 1111.0])] {
-        let tile = Tile { samples, patch_m, k_min: 0.0, k_max: 0.6 };
-        let energies = cell_energies(&OracleSea, tile);
+        let patch = Patch { samples, patch_m, k_min: 0.0, k_max: 0.6 };
+        let energies = cell_energies(&OracleSea, patch);
         let want: f64 = energies.iter().sum();
-        assert!((want / OracleSea.variance_between(0.0, 0.6) - 1.0).abs() < 2e-3, "{tile:?}: {want}");
+        assert!((want / OracleSea.variance_between(0.0, 0.6) - 1.0).abs() < 2e-3, "{patch:?}: {want}");
         let (mut variance, mut along, mut slope_x) = (0.0, 0.0, 0.0);
         let (mut across, mut slope_y) = (0.0, 0.0);
         for seed in 0..100 {
             let f =
-                surface::fields(&amplitudes(&energies, seed, 0, tile), tile, ticks_from_unix(1e3 * f64::from(seed)));
+                surface::fields(&amplitudes(&energies, seed, 0, patch), patch, ticks_from_unix(1e3 * f64::from(seed)));
             let mean = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / a.len() as f64;
             variance += mean(&f.eta, &f.eta) / 100.0;
             (along, slope_x) = (along - mean(&f.eta_t, &f.eta_x), slope_x + mean(&f.eta_x, &f.eta_x));
             (across, slope_y) = (across - mean(&f.eta_t, &f.eta_y), slope_y + mean(&f.eta_y, &f.eta_y));
         }
         println!(
-            "{tile:?}: {variance:.4} of {want:.4}, {:.2} m/s along, {:.2} across",
+            "{patch:?}: {variance:.4} of {want:.4}, {:.2} m/s along, {:.2} across",
             along / slope_x,
             across / slope_y
         );
         // One sea of 300 m is 11 % off, so a hundred are 1.1 %, and less on the longer grids.
-        assert!((variance / want - 1.0).abs() < 0.04, "{tile:?}: {variance} of {want}");
+        assert!((variance / want - 1.0).abs() < 0.04, "{patch:?}: {variance} of {want}");
         // Between the speeds of the shortest wave and of the peak, along the wind and not across it.
-        assert!((4.0..9.7).contains(&(along / slope_x)), "{tile:?}: {} m/s", along / slope_x);
-        assert!((across / slope_y).abs() < 0.3, "{tile:?}: {} m/s across", across / slope_y);
+        assert!((4.0..9.7).contains(&(along / slope_x)), "{patch:?}: {} m/s", along / slope_x);
+        assert!((across / slope_y).abs() < 0.3, "{patch:?}: {} m/s across", across / slope_y);
     }
 }

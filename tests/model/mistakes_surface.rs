@@ -7,12 +7,12 @@ use crate::oracle_sea::OracleSea;
 use ocean_globe::model::quadrature::simpson;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 use ocean_globe::model::surface::{ChopGradient, Fields};
-use ocean_globe::model::waves::{self, Tile, amplitudes, cell_energies};
+use ocean_globe::model::waves::{self, Patch, amplitudes, cell_energies};
 use ocean_globe::model::{dispersion, foam, optics, surface};
 use serde_json::Value;
 
-fn tile(patch_m: f64) -> Tile {
-    Tile { samples: [64; 2], patch_m: [patch_m; 2], k_min: 0.0, k_max: f64::INFINITY }
+fn patch(patch_m: f64) -> Patch {
+    Patch { samples: [64; 2], patch_m: [patch_m; 2], k_min: 0.0, k_max: f64::INFINITY }
 }
 
 fn near(got: f64, want: f64, tolerance: f64) {
@@ -21,10 +21,10 @@ fn near(got: f64, want: f64, tolerance: f64) {
 
 #[test]
 fn the_wrong_sign_of_the_chop() {
-    let tile = tile(300.0);
-    let energies = cell_energies(&OracleSea, tile);
+    let patch = patch(300.0);
+    let energies = cell_energies(&OracleSea, patch);
     let seas: Vec<Fields> =
-        (0..20).map(|seed| surface::fields(&amplitudes(&energies, seed, 0, tile), tile, 0)).collect();
+        (0..20).map(|seed| surface::fields(&amplitudes(&energies, seed, 0, patch), patch, 0)).collect();
     // Correlation of height and Jacobian, and the mean level of the moved water, at a λ.
     let moments = |chop: f64| {
         let (mut product, mut level, mut squares) = (0.0, 0.0, [0.0; 2]);
@@ -33,7 +33,7 @@ fn the_wrong_sign_of_the_chop() {
                 let j = f.chop_gradient(i, chop).jacobian();
                 product += eta * (j - 1.0);
                 squares = [squares[0] + eta * eta, squares[1] + (j - 1.0) * (j - 1.0)];
-                level += eta * j / (seas.len() * tile.count()) as f64;
+                level += eta * j / (seas.len() * patch.count()) as f64;
             }
         }
         [product / (squares[0] * squares[1]).sqrt(), level]
@@ -42,10 +42,10 @@ fn the_wrong_sign_of_the_chop() {
     assert!(check(moments(0.9)), "{:?}", moments(0.9));
     assert!(!check(moments(-0.9)), "{:?}", moments(-0.9));
     // −λ Σ k E, by the cells and by our integral; twenty seas know it to some per cent.
-    let sum: f64 = energies.iter().zip(tile.wave_vectors()).map(|(e, (x, y))| -0.9 * e * x.hypot(y)).sum();
+    let sum: f64 = energies.iter().zip(patch.wave_vectors()).map(|(e, (x, y))| -0.9 * e * x.hypot(y)).sum();
     near(moments(0.9)[1], sum, 0.1);
     // The square grid's corners hold a little beyond the circle.
-    near(waves::chop_level_m(&OracleSea, 64.0 * tile.dk()[0] / 2.0, 0.9), sum, 0.02);
+    near(waves::chop_level_m(&OracleSea, 64.0 * patch.dk()[0] / 2.0, 0.9), sum, 0.02);
 }
 
 /// Slope along the heading of a Gerstner wave of steepness `ak` at a phase, and the exact one.

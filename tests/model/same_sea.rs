@@ -13,9 +13,9 @@ fn the_amplitudes_have_the_bits_that_the_browser_finds() {
         let seed = u32::try_from(case["seed"].as_u64().unwrap()).unwrap();
         let speed_mps = case["speed_mps"].as_f64().unwrap();
         let sea = Sea::from_wind(speed_mps, seed, 1.0);
-        let tiles = cascades(256);
+        let patches = cascades(256);
         let all: Vec<_> =
-            tiles.iter().enumerate().flat_map(|(index, tile)| initial_amplitudes(&sea, index, tile)).collect();
+            patches.iter().enumerate().flat_map(|(index, patch)| initial_amplitudes(&sea, index, patch)).collect();
         let found = format!("{:016x}", hash(&all));
         if found != case["hash"] {
             wrong.push(format!("{case}: {found}"));

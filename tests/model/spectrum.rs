@@ -1,5 +1,5 @@
 //! Which waves a sea holds: amplitude in closed form (`oracles/spectra.json`), height and slopes by integration, and the
-//! tiles' shares of the energy.
+//! patches' shares of the energy.
 
 use ocean_globe::model::{
     optics, sea_state,
@@ -74,10 +74,10 @@ fn spectrum_keeps_height_and_slopes() {
 
 #[test]
 fn cascades_share_the_wave_numbers() {
-    let tiles = cascades(256);
-    println!("{tiles:#?}");
-    assert_eq!(tiles.len(), CASCADES);
-    assert!(tiles[0].k_min == 0.0 && tiles[0].patch_m >= 5000.0 && tiles[3].patch_m / 256.0 <= 0.01);
+    let patches = cascades(256);
+    println!("{patches:#?}");
+    assert_eq!(patches.len(), CASCADES);
+    assert!(patches[0].k_min == 0.0 && patches[0].patch_m >= 5000.0 && patches[3].patch_m / 256.0 <= 0.01);
     for n in [64, 128, 256, 512, 1024] {
         let finer = cascades(n);
         for (long, short) in finer.iter().zip(&finer[1..]) {
@@ -86,34 +86,34 @@ fn cascades_share_the_wave_numbers() {
                 long.k_max <= 0.9 * std::f64::consts::PI * n as f64 / long.patch_m + 1e-12,
                 "nor the last too fine"
             );
-            // 0.9 of the longer tile's highest wave number is N / 32 steps of the shorter at a ratio of 14.4.
+            // 0.9 of the longer patch's highest wave number is N / 32 steps of the shorter at a ratio of 14.4.
             let least = if n == 64 { 2.0 } else { 4.0 };
             assert!(short.k_min >= least * short.dk(), "N = {n}: the first ring is not too coarse");
         }
-        // Neither the wind nor the grid moves a tile; from 256 on only the last ring grows.
-        for (a, b) in finer.iter().zip(&tiles) {
+        // Neither the wind nor the grid moves a patch; from 256 on only the last ring grows.
+        for (a, b) in finer.iter().zip(&patches) {
             assert_eq!(a.patch_m, b.patch_m);
-            assert!(n < 256 || (a.k_min == b.k_min && (a.k_max == b.k_max || b.k_max == tiles[3].k_max)));
+            assert!(n < 256 || (a.k_min == b.k_min && (a.k_max == b.k_max || b.k_max == patches[3].k_max)));
         }
         assert!(finer[3].k_max == 0.9 * std::f64::consts::PI * n as f64 / finer[3].patch_m);
     }
 }
 
 #[test]
-fn no_two_tiles_repeat_together() {
+fn no_two_patches_repeat_together() {
     for (a, b) in [(0, 1), (1, 2), (2, 3), (0, 2), (1, 3), (0, 3)] {
         let ratio = PATCHES_M[a] / PATCHES_M[b];
         for q in 1..=8 {
             let off = (ratio * f64::from(q) - (ratio * f64::from(q)).round()).abs();
-            // What is left of the shorter tile when q of the longer have passed; 1/√5 is the most that any ratio keeps for all q.
+            // What is left of the shorter patch when q of the longer have passed; 1/√5 is the most that any ratio keeps for all q.
             assert!(off * f64::from(q) > 0.15, "{ratio} is nearly {} / {q}", (ratio * f64::from(q)).round());
         }
     }
 }
 
-/// Energy in all tiles of a sea.
-fn energy(spectrum: &impl DirectionalSpectrum, tiles: &[Cascade]) -> f64 {
-    tiles.iter().map(|tile| cell_energies(spectrum, tile).iter().sum::<f64>()).sum()
+/// Energy in all patches of a sea.
+fn energy(spectrum: &impl DirectionalSpectrum, patches: &[Cascade]) -> f64 {
+    patches.iter().map(|patch| cell_energies(spectrum, patch).iter().sum::<f64>()).sum()
 }
 
 #[test]
@@ -145,10 +145,10 @@ fn neither_samples_nor_lengths_change_the_height() {
         ([128, 1024], [437.0, 3111.0]),
         ([512, 128], [1700.0, 450.0]),
     ] {
-        let tile = Tile { samples, patch_m, k_min: 0.0, k_max: 0.8 };
-        let got: f64 = cell_energies(&spectrum, tile).iter().sum();
+        let patch = Patch { samples, patch_m, k_min: 0.0, k_max: 0.8 };
+        let got: f64 = cell_energies(&spectrum, patch).iter().sum();
         let want = spectrum.variance_between(0.0, 0.8);
         // 8 x 8 samples place the edge to 1/8 of a cell on both sides of the truth; the origin's cell holds no energy yet.
-        assert!((got / want - 1.0).abs() < 1e-3, "{tile:?}: {got} of {want}");
+        assert!((got / want - 1.0).abs() < 1e-3, "{patch:?}: {got} of {want}");
     }
 }

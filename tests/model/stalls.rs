@@ -16,7 +16,7 @@ use ocean_globe::scene::view::state::ViewState;
 const NOON: f64 = 1_795_176_000.0;
 /// Waves of the simulation of foam: bands and directions.
 const SIMULATED: usize = 12 * 6;
-/// A row of tiles of 256 samples is at most its cells by 64 evaluations; a batch is sixteen.
+/// A row of patches of 256 samples is at most its cells by 64 evaluations; a batch is sixteen.
 const OVER: usize = 16 * 256 * 64;
 
 fn windy(speed_mps: f64) -> Settings {
@@ -124,13 +124,13 @@ fn waves_made_by_rows_are_the_models() {
     }
     assert!(parts > 20, "{parts} parts");
     let data = making.finish();
-    for (index, tile) in tables.cascades.iter().enumerate() {
-        let want = waves::initial_amplitudes(&tables.sea, index, tile);
+    for (index, patch) in tables.cascades.iter().enumerate() {
+        let want = waves::initial_amplitudes(&tables.sea, index, patch);
         let want: Vec<_> = want.into_iter().map(|h| h.map(|x| x as f32)).collect();
-        assert!(data.amplitudes_of(index, tile.n) == want, "tile {index}");
-        let cycles = data.frequencies_of(index, tile.n);
-        for (element, omega) in tables.frequencies(tile).into_iter().enumerate() {
-            assert_eq!(cycles(element), waves::cycles_per_tick(omega), "tile {index} element {element}");
+        assert!(data.amplitudes_of(index, patch.n) == want, "patch {index}");
+        let cycles = data.frequencies_of(index, patch.n);
+        for (element, omega) in tables.frequencies(patch).into_iter().enumerate() {
+            assert_eq!(cycles(element), waves::cycles_per_tick(omega), "patch {index} element {element}");
         }
     }
 }

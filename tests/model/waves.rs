@@ -29,19 +29,19 @@ fn sea(speed: f64, seed: u32) -> Sea {
 #[test]
 fn golden_tile() {
     let file = oracle(include_str!("../oracles/fft.json"));
-    let tile = &file["golden_tile"];
-    let n = tile["N"].as_u64().unwrap() as usize;
+    let patch = &file["golden_tile"];
+    let n = patch["N"].as_u64().unwrap() as usize;
     let grid = |value: &Value| transposed(&numbers(value), n);
-    let cascade = Cascade { n, patch_m: tile["L"].as_f64().unwrap(), k_min: 0.0, k_max: f64::INFINITY };
-    let (t, chop) = (tile["t"].as_f64().unwrap(), tile["lambda_"].as_f64().unwrap());
-    let h0: Vec<_> = grid(&tile["h0_re"]).into_iter().zip(grid(&tile["h0_im"])).map(|(re, im)| [re, im]).collect();
+    let cascade = Cascade { n, patch_m: patch["L"].as_f64().unwrap(), k_min: 0.0, k_max: f64::INFINITY };
+    let (t, chop) = (patch["t"].as_f64().unwrap(), patch["lambda_"].as_f64().unwrap());
+    let h0: Vec<_> = grid(&patch["h0_re"]).into_iter().zip(grid(&patch["h0_im"])).map(|(re, im)| [re, im]).collect();
     let omega: Vec<f64> = cascade.wave_vectors().map(|(kx, ky)| dispersion::omega_deep(kx.hypot(ky))).collect();
 
     // The oracle prints 12 digits of numbers up to 0.2 in h0 (5e-13 each); 256 of them add up to some 5e-12 in the fields.
     const PRINTED: f64 = 2e-11;
     let minus = |index: usize| (n - index / n) % n * n + (n - index % n) % n;
     for (part, key) in ["H_re", "H_im"].iter().enumerate() {
-        for (index, want) in grid(&tile[key]).into_iter().enumerate() {
+        for (index, want) in grid(&patch[key]).into_iter().enumerate() {
             let (h, _) = surface::evolve(h0[index], h0[minus(index)], omega[index], omega[index] * t);
             assert!((h[part] - want).abs() < PRINTED, "{key}[{index}]: {} against {want}", h[part]);
         }
@@ -51,7 +51,7 @@ fn golden_tile() {
         (0..n * n).map(|index| f(got.chop_gradient(index, chop), index)).collect()
     };
     let slopes = |g: ChopGradient, index: usize| g.true_slope(got.eta_x[index], got.eta_y[index]);
-    let fields = &tile["fields"];
+    let fields = &patch["fields"];
     for (name, want, got) in [
         ("eta", &fields["eta"], got.eta.clone()),
         ("Dx", &fields["Dx"], got.dx.clone()),
@@ -62,10 +62,10 @@ fn golden_tile() {
         ("Dz_z", &fields["Dz_z"], got.dy_y.clone()),
         ("Dx_z", &fields["Dx_z"], got.dx_y.clone()),
         ("eta_t", &fields["eta_t"], got.eta_t.clone()),
-        ("J", &tile["J"], derived(&|g, _| g.jacobian())),
-        ("min_eigenvalue", &tile["min_eigenvalue"], derived(&|g, _| g.min_eigenvalue())),
-        ("true_slope_x", &tile["true_slope_x"], derived(&|g, index| slopes(g, index)[0])),
-        ("true_slope_z", &tile["true_slope_z"], derived(&|g, index| slopes(g, index)[1])),
+        ("J", &patch["J"], derived(&|g, _| g.jacobian())),
+        ("min_eigenvalue", &patch["min_eigenvalue"], derived(&|g, _| g.min_eigenvalue())),
+        ("true_slope_x", &patch["true_slope_x"], derived(&|g, index| slopes(g, index)[0])),
+        ("true_slope_z", &patch["true_slope_z"], derived(&|g, index| slopes(g, index)[1])),
     ] {
         let want = grid(want);
         assert_eq!(want.len(), got.len());
@@ -74,7 +74,7 @@ fn golden_tile() {
         assert!(worst < PRINTED, "{name} is off by {worst}");
     }
     let variance = got.eta.iter().map(|eta| eta * eta).sum::<f64>() / (n * n) as f64;
-    assert!((variance - tile["checks"]["spatial_variance"].as_f64().unwrap()).abs() < PRINTED);
+    assert!((variance - patch["checks"]["spatial_variance"].as_f64().unwrap()).abs() < PRINTED);
 }
 
 #[test]
@@ -105,20 +105,20 @@ fn transform_agrees_with_another_library() {
 
 #[test]
 fn ensemble_has_the_energy_of_the_spectrum() {
-    const TILES: u32 = 60;
+    const PATCHES: u32 = 60;
     for index in 0..CASCADES {
-        let tile = cascades(64)[index];
-        let energies = cell_energies(&sea(10.0, 0).spectrum(), &tile);
+        let patch = cascades(64)[index];
+        let energies = cell_energies(&sea(10.0, 0).spectrum(), &patch);
         let want: f64 = energies.iter().sum();
         let mut mean = 0.0;
-        for seed in 0..TILES {
-            let h0 = initial_amplitudes(&sea(10.0, seed), index, &tile);
-            let eta = surface::fields(&h0, &tile, ticks_from_unix(f64::from(seed) * 17.0)).eta;
-            mean += eta.iter().map(|eta| eta * eta).sum::<f64>() / eta.len() as f64 / f64::from(TILES);
+        for seed in 0..PATCHES {
+            let h0 = initial_amplitudes(&sea(10.0, seed), index, &patch);
+            let eta = surface::fields(&h0, &patch, ticks_from_unix(f64::from(seed) * 17.0)).eta;
+            mean += eta.iter().map(|eta| eta * eta).sum::<f64>() / eta.len() as f64 / f64::from(PATCHES);
         }
-        // |H|² is exponential about (E + E')/2 and each pair k, -k counts twice: var(one tile) = Σ over pairs of (E + E')².
+        // |H|² is exponential about (E + E')/2 and each pair k, -k counts twice: var(one patch) = Σ over pairs of (E + E')².
         let pair = |i: usize| energies[i] + energies[(64 - i / 64) % 64 * 64 + (64 - i % 64) % 64];
-        let sigma = (0.5 * (0..64 * 64).map(|i| pair(i) * pair(i)).sum::<f64>() / f64::from(TILES)).sqrt();
+        let sigma = (0.5 * (0..64 * 64).map(|i| pair(i) * pair(i)).sum::<f64>() / f64::from(PATCHES)).sqrt();
         println!("cascade {index}: {mean:.4e} of {want:.4e}, sigma {sigma:.1e}");
         assert!((mean - want).abs() < 4.0 * sigma, "cascade {index}: {mean} against {want} ± {sigma}");
         assert!(sigma < 0.05 * want, "sharp enough to tell a factor 2 or 8");
@@ -127,15 +127,15 @@ fn ensemble_has_the_energy_of_the_spectrum() {
 
 #[test]
 fn waves_run_downwind() {
-    for (index, tile) in cascades(128).iter().enumerate() {
-        let h0 = initial_amplitudes(&sea(12.0, 5), index, tile);
-        let f = surface::fields(&h0, tile, ticks_from_unix(1.7e9));
+    for (index, patch) in cascades(128).iter().enumerate() {
+        let h0 = initial_amplitudes(&sea(12.0, 5), index, patch);
+        let f = surface::fields(&h0, patch, ticks_from_unix(1.7e9));
         let mean = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / a.len() as f64;
         let along = -mean(&f.eta_t, &f.eta_x) / mean(&f.eta_x, &f.eta_x);
         let across = -mean(&f.eta_t, &f.eta_y) / mean(&f.eta_y, &f.eta_y);
-        // Between the speeds of the tile's shortest and longest waves, ω/k.
-        let k0 = tile.k_min.max(tile.dk());
-        assert!(along > 0.5 * dispersion::omega_deep(tile.k_max) / tile.k_max, "cascade {index}: {along} m/s");
+        // Between the speeds of the patch's shortest and longest waves, ω/k.
+        let k0 = patch.k_min.max(patch.dk());
+        assert!(along > 0.5 * dispersion::omega_deep(patch.k_max) / patch.k_max, "cascade {index}: {along} m/s");
         assert!(along < 2.0 * dispersion::omega_deep(k0) / k0, "cascade {index}: {along} m/s");
         assert!(across.abs() < 0.3 * along, "cascade {index}: {across} m/s across");
         // Chop gathers points at the crests: J is small where η is high.
@@ -149,11 +149,11 @@ fn a_calm_is_flat() {
     for sea in [sea(0.0, 1), sea(-3.0, 1), sea(f64::NAN, 1), Sea { hs_m: f64::NAN, ..sea(8.0, 1) }] {
         assert_eq!(sea.spectrum().mss_above(0.0), 0.0);
         assert_eq!(sea.spectrum().peak_period(), 0.0);
-        for (index, tile) in cascades(64).iter().enumerate() {
-            assert!(tile.patch_m.is_finite() && tile.k_max.is_finite());
-            let h0 = initial_amplitudes(&sea, index, tile);
+        for (index, patch) in cascades(64).iter().enumerate() {
+            assert!(patch.patch_m.is_finite() && patch.k_max.is_finite());
+            let h0 = initial_amplitudes(&sea, index, patch);
             assert!(h0.iter().flatten().all(|&x| x == 0.0));
-            assert!(surface::fields(&h0, tile, 12345).eta.iter().all(|&x| x == 0.0));
+            assert!(surface::fields(&h0, patch, 12345).eta.iter().all(|&x| x == 0.0));
         }
     }
     assert!(sea(0.3, 0).spectrum().density(0.0, 0.0) == 0.0 && sea(0.3, 0).spectrum().density(1e-100, 0.0) == 0.0);
@@ -162,15 +162,15 @@ fn a_calm_is_flat() {
 #[test]
 fn amplitudes_keep_out_of_what_has_no_partner() {
     let n = 64;
-    for (index, tile) in cascades(n).iter().enumerate() {
-        let h0 = initial_amplitudes(&sea(9.0, 3), index, tile);
+    for (index, patch) in cascades(n).iter().enumerate() {
+        let h0 = initial_amplitudes(&sea(9.0, 3), index, patch);
         assert!(h0.iter().flatten().all(|x| x.is_finite()) && h0.iter().flatten().any(|&x| x != 0.0));
         assert_eq!(h0[0], [0.0; 2]);
         assert!((0..n).all(|i| h0[n / 2 * n + i] == [0.0; 2] && h0[i * n + n / 2] == [0.0; 2]));
-        let open = cell_energies(&sea(9.0, 3).spectrum(), &Cascade { k_min: 0.0, k_max: f64::INFINITY, ..*tile });
+        let open = cell_energies(&sea(9.0, 3).spectrum(), &Cascade { k_min: 0.0, k_max: f64::INFINITY, ..*patch });
         assert!((0..n).all(|i| open[n / 2 * n + i] == 0.0 && open[i * n + n / 2] == 0.0) && open[n / 2 - 1] > 0.0);
         // A finer grid holds the same waves where the ring's end does not cut.
-        let fine = Cascade { n: 2 * n, ..*tile };
+        let fine = Cascade { n: 2 * n, ..*patch };
         let again = initial_amplitudes(&sea(9.0, 3), index, &fine);
         for (i, j) in [(7usize, 3usize), (9, n - 5), (20, 1), (20, n - 1)] {
             let up = |i: usize| if i < n / 2 { i } else { i + n };
@@ -179,14 +179,14 @@ fn amplitudes_keep_out_of_what_has_no_partner() {
     }
 }
 
-/// Of the sea of 13.9 m/s, seed 7, four tiles of 64 x 64.
+/// Of the sea of 13.9 m/s, seed 7, four patches of 64 x 64.
 const HASHES: [u64; 4] = [0x80a6_72fd_479d_5879, 0x03f9_94fe_4b02_04a3, 0x45c9_6286_9c75_f9a8, 0xd48c_bd3d_cc87_74f7];
 
 #[test]
 fn the_same_sea_everywhere() {
     let sea = sea(13.9, 7);
     let hashes: Vec<u64> =
-        cascades(64).iter().enumerate().map(|(index, tile)| hash(&initial_amplitudes(&sea, index, tile))).collect();
+        cascades(64).iter().enumerate().map(|(index, patch)| hash(&initial_amplitudes(&sea, index, patch))).collect();
     // Not derived but recorded: WebAssembly must give the same four, and so must every later version.
     assert_eq!(hashes, HASHES, "{hashes:#x?}");
     // FNV-1a's offset basis, and its hash of the bytes 00 00 80 3f 00 00 20 c0 by another implementation.
@@ -196,7 +196,7 @@ fn the_same_sea_everywhere() {
 
 #[test]
 fn the_clock_holds_for_centuries() {
-    // A year-2200 phase of the fastest wave that any tile holds, against exact integer arithmetic on whole seconds.
+    // A year-2200 phase of the fastest wave that any patch holds, against exact integer arithmetic on whole seconds.
     assert_eq!(cycles_per_tick(std::f64::consts::TAU), 1 << 44);
     assert_eq!(ticks_from_unix(1.0), 1 << 20);
     assert_eq!(ticks_from_unix(-1.0), (1u64 << 20).wrapping_neg());
@@ -220,11 +220,11 @@ fn the_clock_holds_for_centuries() {
 
 #[test]
 fn fields_at_ticks_are_fields_at_seconds() {
-    let tile = cascades(32)[1];
-    let h0 = initial_amplitudes(&sea(8.0, 1), 1, &tile);
+    let patch = cascades(32)[1];
+    let h0 = initial_amplitudes(&sea(8.0, 1), 1, &patch);
     let (a, b) = (
-        surface::fields(&h0, &tile, ticks_from_unix(50.0)),
-        surface::fields_at(&h0, &tile, &angular_frequencies(&tile, f64::INFINITY), 50.0),
+        surface::fields(&h0, &patch, ticks_from_unix(50.0)),
+        surface::fields_at(&h0, &patch, &angular_frequencies(&patch, f64::INFINITY), 50.0),
     );
     let height = 0.25 * sea_state::significant_height(8.0);
     // A phase in 2^-32 cycle is off by 1.5e-9 at most, and so is each wave.

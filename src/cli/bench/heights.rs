@@ -5,7 +5,7 @@
 //! ```text
 //!  tessellation  the frame / that on a grid of a sixteenth of the vertices, less 1
 //!  updates       the frame / that of the same triangles at rest, less 1
-//!  noise         the frame / that whose tiles make the far waves as well, less 1
+//!  noise         the frame / that whose patches make the far waves as well, less 1
 //! ```
 //! Rounds run forwards and backwards in turn, and the median of their ratios counts: other load on the machine weighs on both sides.
 

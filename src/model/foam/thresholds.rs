@@ -1,7 +1,7 @@
 //! The thresholds of the foam map's levels: a simulation of ∇D at independent rest points, and the bisection that finds where a level
 //! must begin to break. See [`super`] for why.
 //!
-//! The simulation knows the spectrum and the tiles alone, so it serves any amount, lifetime and chop of one sea; it can be made point by
+//! The simulation knows the spectrum and the patches alone, so it serves any amount, lifetime and chop of one sea; it can be made point by
 //! point, and any part of its points gives an estimate.
 
 use super::{Fold, GROWTH_S};
@@ -16,9 +16,9 @@ const STEP_S: f64 = 0.15;
 const BANDS: usize = 12;
 /// Waves of fewer texels than this move no level.
 const SHORTEST_TEXELS: f64 = 1.5;
-/// A tile shorter than so many texels moves a level by next to nothing: its longest waves are a sixth of it. Equals
-/// `SHORTEST_TILE_TEXELS` in `shaders/foam.wgsl`.
-pub const SHORTEST_TILE_TEXELS: f64 = 10.0;
+/// A patch shorter than so many texels moves a level by next to nothing: its longest waves are a sixth of it. Equals
+/// `SHORTEST_PATCH_TEXELS` in `shaders/foam.wgsl`.
+pub const SHORTEST_PATCH_TEXELS: f64 = 10.0;
 /// Directions off the wind, radians: the middles of six sectors of the half circle before it.
 const DIRECTIONS: [f64; 6] = [-5.0 * SECTOR, -3.0 * SECTOR, -SECTOR, SECTOR, 3.0 * SECTOR, 5.0 * SECTOR];
 /// Half a sector, 15°.
@@ -60,12 +60,12 @@ pub struct Simulation<const N: usize> {
     levels: [Series; N],
 }
 
-/// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its tile's textures: it reads the two mip
-/// levels on either side of its own size, each the means of blocks of samples, and interpolates between their texels. Equals
-/// what `smaller_eigenvalue` in `shaders/foam.wgsl` does.
-pub fn kept(tile: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
-    let step = tile.patch_m / tile.n as f64;
-    let lod = libm::log2((texel_m / step).max(1.0)).min(f64::from(tile.n.ilog2()) - 2.0);
+/// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its patch's textures: it reads the mip whose texels
+/// are nearest to it in size, the means of blocks of samples, and interpolates between them. Equals what `smaller_eigenvalue` in
+/// `shaders/foam.wgsl` does.
+pub fn kept(patch: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
+    let step = patch.patch_m / patch.n as f64;
+    let lod = libm::log2((texel_m / step).max(1.0)).min(f64::from(patch.n.ilog2()) - 2.0);
     let at_mip = |mip: f64| {
         let block = libm::exp2(mip);
         let along = |k: f64| {
@@ -76,7 +76,7 @@ pub fn kept(tile: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
         };
         along(kx) * along(ky)
     };
-    if tile.patch_m < SHORTEST_TILE_TEXELS * texel_m {
+    if patch.patch_m < SHORTEST_PATCH_TEXELS * texel_m {
         return 0.0;
     }
     let part = lod - libm::floor(lod);
@@ -84,11 +84,11 @@ pub fn kept(tile: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
 }
 
 /// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
-/// (0…1) for a lifetime in seconds; `tiles` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose
+/// (0…1) for a lifetime in seconds; `patches` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose
 /// waves are all too short for it gets [`Fold::NEVER`].
 pub fn folds<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
-    tiles: &[Cascade],
+    patches: &[Cascade],
     chop: f64,
     texels_m: [f64; N],
     softness: [f64; N],
@@ -98,16 +98,16 @@ pub fn folds<const N: usize>(
     if wanted <= 0.0 {
         return [Fold::NEVER; N];
     }
-    let mut simulation = Simulation::new(spectrum, tiles, texels_m);
+    let mut simulation = Simulation::new(spectrum, patches, texels_m);
     simulation.advance(POINTS);
     std::array::from_fn(|level| simulation.fold(level, POINTS, chop, softness[level], wanted, lifetime_s))
 }
 
 impl<const N: usize> Simulation<N> {
     /// The simulation of a sea, still without any point.
-    pub fn new(spectrum: &dyn DirectionalSpectrum, tiles: &[Cascade], texels_m: [f64; N]) -> Self {
+    pub fn new(spectrum: &dyn DirectionalSpectrum, patches: &[Cascade], texels_m: [f64; N]) -> Self {
         let empty = |_| Series { gradients: Vec::with_capacity(POINTS * INSTANTS), lowest: Vec::with_capacity(POINTS) };
-        Self { waves: components(spectrum, tiles, texels_m), levels: std::array::from_fn(empty) }
+        Self { waves: components(spectrum, patches, texels_m), levels: std::array::from_fn(empty) }
     }
 
     /// Simulates at most `points` more rest points, up to [`POINTS`]. Returns the steps that waves were moved on by.
@@ -149,7 +149,7 @@ impl<const N: usize> Simulation<N> {
 /// Waves that carry the energy of the spectrum in bands of wave number and direction.
 fn components<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
-    tiles: &[Cascade],
+    patches: &[Cascade],
     texels_m: [f64; N],
 ) -> Vec<Component<N>> {
     let finest_m = texels_m.iter().copied().fold(f64::INFINITY, f64::min);
@@ -163,7 +163,7 @@ fn components<const N: usize>(
     for band in 0..BANDS {
         let k0 = from * libm::pow(ratio, band as f64);
         let k = k0 * libm::sqrt(ratio);
-        let Some(tile) = tiles.iter().find(|tile| k < tile.k_max) else { break };
+        let Some(patch) = patches.iter().find(|patch| k < patch.k_max) else { break };
         let energy = spectrum.omnidirectional(k) * k0 * (ratio - 1.0);
         let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
         let total: f64 = density.iter().sum();
@@ -171,7 +171,7 @@ fn components<const N: usize>(
             let (sin, cos) = libm::sincos(*angle);
             // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
             let slope = k * libm::sqrt(energy * density / total);
-            let kept = texels_m.map(|texel_m| kept(tile, texel_m, k * cos, k * sin));
+            let kept = texels_m.map(|texel_m| kept(patch, texel_m, k * cos, k * sin));
             let gradient = [cos * cos, sin * sin, sin * cos].map(|part| kept.map(|kept| (-slope * part * kept) as f32));
             waves.push(Component { gradient, omega: dispersion::omega_deep(k) });
         }

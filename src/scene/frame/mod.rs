@@ -32,7 +32,7 @@ pub struct Frame {
     pub size: [u32; 2],
     /// UTC, seconds since 1970.
     pub unix_seconds: f64,
-    /// The sea and its tiles.
+    /// The sea and its patches.
     pub sea: Arc<SeaTables>,
     /// Where the eye is in the foam map.
     pub foam_eye: FoamEye,
@@ -114,7 +114,7 @@ impl Frame {
         self
     }
 
-    /// The same frame without the Perlin field: the tiles make the waves at any distance. For measurements.
+    /// The same frame without the Perlin field: the patches make the waves at any distance. For measurements.
     pub fn without_noise(mut self) -> Self {
         (self.uniform.mix_near, self.uniform.mix_far) = (NEVER_M, 2.0 * NEVER_M);
         self
@@ -125,7 +125,7 @@ impl Frame {
         self.uniform.output == Output::Picture as u32
     }
 
-    /// Whether anything of the wave tiles can be seen: not from where the Perlin field alone makes the sea, nor where a pixel hides all.
+    /// Whether anything of the wave patches can be seen: not from where the Perlin field alone makes the sea, nor where a pixel hides all.
     pub fn has_waves(&self) -> bool {
         self.nearest_sea_m() < self.uniform.mix_far && self.resolves_waves()
     }
@@ -152,8 +152,8 @@ impl Frame {
         self.uniform.eye_altitude - self.uniform.crest_height
     }
 
-    /// What `any_resolvable` of `shaders/lib/wave_tiles.wgsl` says where the water is nearest: a pixel as wide as 0.4 of the longest tile
-    /// shows none of it.
+    /// What `any_resolvable` of `shaders/lib/wave_patches.wgsl` says where the water is nearest: a pixel as wide as 0.4 of the longest
+    /// patch shows none of it.
     fn resolves_waves(&self) -> bool {
         let longest = self.uniform.patches.x.max(self.uniform.perlin_patch);
         self.nearest_sea_m() * self.uniform.pixel_angle < 0.4 * longest

@@ -6,7 +6,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
-use crate::model::wave_domain::TILES;
+use crate::model::wave_domain::PATCHES;
 use crate::scene::sea::foam;
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 
@@ -74,7 +74,7 @@ macro_rules! gpu_struct {
 }
 
 gpu_struct! {
-    /// A square of the foam map; its texels are fixed in the plane of the first wave cell.
+    /// A level of the foam map; its texels are fixed in the plane of the first wave cell.
     pub struct FoamLevel as "FoamLevel" {
         /// That the eye is in.
         texel: [i32; 2] = "vec2i",
@@ -92,7 +92,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// Where the lattice of a tile lies: a vertex near the eye, and the way from it to the eye in the cell's plane, metres.
+    /// Where the lattice of a patch lies: a vertex near the eye, and the way from it to the eye in the cell's plane, metres.
     pub struct WaveAnchor as "WaveAnchor" {
         /// Vertex.
         vertex: [i32; 2] = "vec2i",
@@ -102,7 +102,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// One cell of the wave domain: its plane about the eye, and the tiles' lattices in it. North at (x, y) metres from its centre is
+    /// One cell of the wave domain: its plane about the eye, and the patches' lattices in it. North at (x, y) metres from its centre is
     /// along (-x turn, cos_lat - y turn).
     pub struct WaveCell as "WaveCell" {
         /// Its centre, local.
@@ -122,7 +122,7 @@ gpu_struct! {
         /// Direction that stands for north at a pole.
         polar_north: Vec2 = "vec2f",
         /// Anchors.
-        anchors: [WaveAnchor; TILES] = "array<WaveAnchor, TILES>",
+        anchors: [WaveAnchor; PATCHES] = "array<WaveAnchor, PATCHES>",
     }
 }
 
@@ -245,11 +245,11 @@ gpu_struct! {
         below_slopes: Vec2 = "vec2f",
         /// 1 when the eye is in the sea.
         under_water: u32 = "u32",
-        /// Mean level of the choppy FFT tiles, at most 0; what is drawn has it subtracted.
+        /// Mean level of the choppy FFT patches, at most 0; what is drawn has it subtracted.
         chop_level: f32 = "Metres",
         /// Cascade slopes.
         cascade_slopes: [Vec4; 2] = "array<vec4f, 2>",
-        /// What the Perlin tile does not hold, then its own.
+        /// What the Perlin patch does not hold, then its own.
         perlin_slopes: Vec4 = "vec4f",
         /// Foam levels.
         foam_levels: [FoamLevel; foam::LEVELS] = "array<FoamLevel, FOAM_LEVELS>",

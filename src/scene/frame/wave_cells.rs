@@ -5,7 +5,7 @@
 
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
-use crate::model::wave_domain::{self, Cell, MAX_CELLS, PERLIN_TILE, Plane};
+use crate::model::wave_domain::{self, Cell, MAX_CELLS, PERLIN_PATCH, Plane};
 use crate::scene::frame::uniform::{FrameUniform, WaveAnchor, WaveCell};
 use crate::scene::sea::foam::{self, FoamEye};
 use crate::scene::settings::Settings;
@@ -26,12 +26,12 @@ pub fn around(
     let reach = 1.2 * WGS84.horizon_distance(camera.altitude_m.max(20.0)) + 10_000.0;
     let nearest = cells.first().map_or(0.0, |cell| cell.centre.distance(foot));
     cells.retain(|cell| cell.centre.distance(foot) < nearest + 2.0 * reach + wave_domain::BLEND_WIDTH_M);
-    let patch_m = |tile: usize| if tile == PERLIN_TILE { sea.perlin.patch_m } else { sea.cascades[tile].patch_m };
+    let patch_m = |patch: usize| if patch == PERLIN_PATCH { sea.perlin.patch_m } else { sea.cascades[patch].patch_m };
     let seen_from_eye = |cell: &Cell| {
         let plane = Plane::new(cell, sea.sea.seed, settings.wind_from());
         let eye_in_plane = plane.point(eye);
-        let anchor = |tile: usize| {
-            let spacing = wave_domain::spacing_m(patch_m(tile));
+        let anchor = |patch: usize| {
+            let spacing = wave_domain::spacing_m(patch_m(patch));
             let (vertex, way) = wave_domain::anchor(eye_in_plane / spacing);
             WaveAnchor { vertex, eye: (spacing * way).as_vec2() }
         };

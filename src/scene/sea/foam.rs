@@ -1,13 +1,13 @@
-//! The foam map: four squares of texels around the eye, each three times as coarse as the one before, fixed to the world.
+//! The foam map: four levels of texels around the eye, each three times as coarse as the one before, fixed to the world.
 //!
 //! ```text
 //!  +-----------------------------+   A texel is a square of rest coordinates in the plane of the wave cell nearest to the
 //!  |              3              |   eye, so waves, foam and eye move past each other as water does.
 //!  |      +---------------+      |   Texel (i, j) of the world lies in the texture at (i mod 256, j mod 256): when the
-//!  |      |     2         |      |   eye moves, only the texels that come into the square are made anew, from the
-//!  |      |   +-------+   |      |   next coarser square.
+//!  |      |     2         |      |   eye moves, only the texels that come into the level are made anew, from the
+//!  |      |   +-------+   |      |   next coarser level.
 //!  |      |   |1 +-+  |   |      |
-//!  |      |   |  |0|e |   |      |   The four squares share one texture, a channel each.
+//!  |      |   |  |0|e |   |      |   The four levels share one texture, a channel each.
 //! ```
 //! How it moves on in time: [`crate::scene::sea::foam_history`].
 
@@ -27,7 +27,7 @@ pub const TEXELS: i32 = 256;
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
 /// How gradually a level breaks, in root mean squares of its eigenvalue.
 pub const SOFTNESS: [f64; LEVELS] = [0.5, 0.7, 1.0, 1.5];
-/// No foam map from above this altitude, metres: its widest square would be smaller than what is seen as a texture.
+/// No foam map from above this altitude, metres: its widest level would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
 /// as the map's corners are.

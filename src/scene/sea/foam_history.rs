@@ -29,7 +29,7 @@ pub struct FoamStep {
     pub unused: u32,
 }
 
-/// Up to when the map and each of its squares are right, and where the eye was then.
+/// Up to when the map and each of its levels are right, and where the eye was then.
 #[derive(Clone, Copy, Debug)]
 struct State {
     ticks: u64,
@@ -57,7 +57,7 @@ impl History {
     pub fn next_instant(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64) -> Option<u64> {
         let usable = |state: &State| {
             let age = ticks.wrapping_sub(state.ticks);
-            // Half of the widest square: nothing that the map knows would be left in the finer ones.
+            // Half of the widest level: nothing that the map knows would be left in the finer ones.
             let near = state.eye.at.distance(eye.at) < 0.25 * f64::from(TEXELS) * TEXELS_M[LEVELS - 1];
             let fine = state.eye.finest <= eye.finest;
             age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near && fine
@@ -94,7 +94,7 @@ impl History {
         });
         let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level]) as f64 / TICKS_PER_SECOND;
         let passes = |level: usize| last.empty || (due[level] && dt_s(level) > 0.0);
-        // A square that is not due stays as it is.
+        // A level that is not due stays as it is.
         let each = |left: &dyn Fn(usize) -> f64| std::array::from_fn(|l| if due[l] { left(l) as f32 } else { 1.0 });
         let levels = std::array::from_fn(|level| if due[level] || last.empty { ticks } else { last.levels[level] });
         self.state = Some(State { ticks, levels, eye: *eye, empty: false, ..last });

@@ -5,24 +5,24 @@
 //!
 //! ```text
 //!  settings move  ──►  new waves, a part a frame   ──►  drawn from then on   ──►  thresholds of foam, a part a frame
-//!                      the last sea is drawn on         (first on tiles of         until then those of a sixteenth
+//!                      the last sea is drawn on         (first on patches of         until then those of a sixteenth
 //!                                                       256², then on finer ones)  of their points
 //! ```
 
 use std::sync::Arc;
 
-use crate::model::drawn_tiles::DrawnTiles;
+use crate::model::drawn_patches::DrawnPatches;
 use crate::model::lift::Lift;
 use crate::model::moved_water::Place;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_data::{Making, WaveData};
 use crate::model::waves;
 use crate::scene::sea::foam::Whitecaps;
-use crate::scene::sea::tables::{sea_of, tile_samples};
+use crate::scene::sea::tables::{patch_samples, sea_of};
 use crate::scene::sea::thresholds::Thresholds;
 use crate::scene::settings::{Foam, Settings};
 
-/// Samples along a side of the tiles that a new sea is first drawn on, where its quality asks for more.
+/// Samples along a side of the patches that a new sea is first drawn on, where its quality asks for more.
 const FIRST_SAMPLES: usize = 256;
 /// Work on waves in a frame, see [`Making::advance`]: some 10 ms of a desktop's core, a third of the waves of 256² samples.
 pub const WAVE_WORK: usize = 1 << 16;
@@ -50,7 +50,7 @@ pub struct Seas {
     lift: Option<(Arc<SeaTables>, Lift)>,
     /// The last height and where and when it was: wind, latitude, longitude, tick.
     height: Option<(Arc<SeaTables>, [u64; 4], f64)>,
-    tiles: Option<(Arc<SeaTables>, u64, Arc<DrawnTiles>)>,
+    patches: Option<(Arc<SeaTables>, u64, Arc<DrawnPatches>)>,
     revision: u64,
     work: Work,
 }
@@ -68,7 +68,7 @@ impl Seas {
         {
             return tables.clone();
         }
-        let (sea, n) = (sea_of(settings), tile_samples(settings.quality));
+        let (sea, n) = (sea_of(settings), patch_samples(settings.quality));
         let known = self.asked.take().map(|(_, tables)| tables);
         let known = known.filter(|tables| tables.sea == sea && tables.cascades[0].n == n);
         let tables = known.unwrap_or_else(|| Arc::new(SeaTables::new(sea, n)));
@@ -105,13 +105,13 @@ impl Seas {
         }
     }
 
-    /// Goes on making the waves of the sea that is asked for. What has been begun on coarse tiles is finished first, so that the sea
+    /// Goes on making the waves of the sea that is asked for. What has been begun on coarse patches is finished first, so that the sea
     /// follows a hand that never rests; what has been begun on fine ones is not.
     fn make(&mut self, settings: &Settings, asked: &Arc<SeaTables>) {
         let is_known = |of: &Arc<SeaTables>| of.sea == asked.sea;
         let begun = self.making.take().filter(|(of, _)| of.cascades[0].n <= FIRST_SAMPLES || of == asked);
         let (tables, mut making) = begun.unwrap_or_else(|| {
-            let first = FIRST_SAMPLES.min(tile_samples(settings.quality));
+            let first = FIRST_SAMPLES.min(patch_samples(settings.quality));
             let is_first = !self.drawn.as_ref().is_some_and(is_known);
             let tables = if is_first && first < asked.cascades[0].n {
                 Arc::new(SeaTables::new(asked.sea, first))
@@ -213,16 +213,16 @@ impl Seas {
         height_m
     }
 
-    /// The wave tiles of a sea at a tick of the wave clock.
-    pub fn tiles(&mut self, tables: &Arc<SeaTables>, ticks: u64) -> Arc<DrawnTiles> {
-        if let Some((of, at, tiles)) = &self.tiles
+    /// The wave patches of a sea at a tick of the wave clock.
+    pub fn patches(&mut self, tables: &Arc<SeaTables>, ticks: u64) -> Arc<DrawnPatches> {
+        if let Some((of, at, patches)) = &self.patches
             && *at == ticks
             && of.has_waves_of(tables)
         {
-            return tiles.clone();
+            return patches.clone();
         }
-        let tiles = Arc::new(DrawnTiles::new(tables.cascades, &self.waves(tables), ticks));
-        self.tiles = Some((tables.clone(), ticks, tiles.clone()));
-        tiles
+        let patches = Arc::new(DrawnPatches::new(tables.cascades, &self.waves(tables), ticks));
+        self.patches = Some((tables.clone(), ticks, patches.clone()));
+        patches
     }
 }

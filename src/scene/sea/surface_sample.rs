@@ -38,7 +38,7 @@ impl Seas {
     ///
     /// These are the numbers that are drawn where the Perlin field has no weight, within 2 km of the eye: within a centimetre and
     /// 0.1°, except where a crest has folded over the place and there is more than one surface. The first sample of an instant
-    /// transforms the tiles (some tenths of a second); further ones cost microseconds.
+    /// transforms the patches (some tenths of a second); further ones cost microseconds.
     pub fn sample(
         &mut self,
         settings: &Settings,
@@ -57,10 +57,10 @@ impl Seas {
                 jacobian: 1.0,
             };
         }
-        let tiles = self.tiles(&tables, waves::ticks_from_unix(unix_seconds));
+        let patches = self.patches(&tables, waves::ticks_from_unix(unix_seconds));
         let place = Place::new(&tables, settings.wind_from(), lat, lon);
         let chop = tables.sea.chop;
-        let (rest, motion) = place.invert(allowed * chop, |index, at| tiles.motion(index, at));
+        let (rest, motion) = place.invert(allowed * chop, |index, at| patches.motion(index, at));
         let gradient = motion.chop_gradient(chop);
         let jacobian = gradient.jacobian();
         let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)

@@ -6,8 +6,8 @@ use crate::model::sea::{Sea, Swell};
 use crate::model::sea_tables::SeaTables;
 use crate::scene::settings::{Quality, Settings};
 
-/// Samples along a side of a wave tile. All have the same tiles; from 256 on finer ones add shorter waves and change no other.
-pub fn tile_samples(quality: Quality) -> usize {
+/// Samples along a side of a wave patch. All have the same patches; from 256 on finer ones add shorter waves and change no other.
+pub fn patch_samples(quality: Quality) -> usize {
     match quality {
         Quality::Low => 128,
         Quality::Auto | Quality::Medium => 256,
@@ -33,6 +33,6 @@ pub fn sea_of(settings: &Settings) -> Sea {
 impl SeaTables {
     /// The tables of the sea that `settings` ask for. [`Seas`](crate::scene::sea::Seas) keeps them.
     pub fn of(settings: &Settings) -> Arc<Self> {
-        Arc::new(Self::new(sea_of(settings), tile_samples(settings.quality)))
+        Arc::new(Self::new(sea_of(settings), patch_samples(settings.quality)))
     }
 }

@@ -1,4 +1,4 @@
-//! The wave tiles of a moment as the GPU makes them, in f64: for measuring the drawn surface at any place.
+//! The wave patches of a moment as the GPU makes them, in f64: for measuring the drawn surface at any place.
 
 use glam::{DVec2, DVec3};
 
@@ -9,13 +9,13 @@ use super::wave_data::WaveData;
 use super::waves::{CASCADES, Cascade};
 
 /// The eight fields of every cascade at a tick, two to a grid; see [`packed_fields`].
-pub struct DrawnTiles {
+pub struct DrawnPatches {
     cascades: [Cascade; CASCADES],
     grids: Vec<[Vec<Complex>; 4]>,
 }
 
-impl DrawnTiles {
-    /// The tiles of a sea's waves at a tick of the wave clock: sixteen transforms.
+impl DrawnPatches {
+    /// The patches of a sea's waves at a tick of the wave clock: sixteen transforms.
     pub fn new(cascades: [Cascade; CASCADES], data: &WaveData, ticks: u64) -> Self {
         let grids = |(index, cascade): (usize, &Cascade)| {
             let n = cascade.n;
@@ -26,7 +26,7 @@ impl DrawnTiles {
         Self { grids: cascades.iter().enumerate().map(grids).collect(), cascades }
     }
 
-    /// The motion at tile coordinates `at` of cascade `index`, m, linearly between the four samples around.
+    /// The motion at patch coordinates `at` of cascade `index`, m, linearly between the four samples around.
     pub fn motion(&self, index: usize, at: DVec2) -> Motion {
         let Cascade { n, patch_m, .. } = self.cascades[index];
         let ((i, u), (j, v)) = (between_samples(at.x, patch_m, n), between_samples(at.y, patch_m, n));

@@ -1,4 +1,4 @@
-// The wave tiles and the Perlin tile around a point of the sea: which of them a footprint still shows, from which mip level, and how one
+// The wave patches and the Perlin patch around a point of the sea: which of them a footprint still shows, from which mip level, and how one
 // cell of the wave domain lays them there. lib/waves.wgsl adds up what they hold.
 #import domain
 
@@ -9,8 +9,8 @@
 @group(1) @binding(2) var stretches: texture_2d_array<f32>;
 @group(1) @binding(3) var perlin: texture_2d<f32>;      // (height, dh/dx, dh/dy, hx hx + hy hy)
 
-// A cascade's tile as a vertex lays it: sample n of it stands at n / N of its length, a texel's centre at (n + 1/2) / N.
-fn cascade_placement(plane: Plane, cascade: u32, triangle: Triangle, k: u32, texels: f32) -> Placement {
+// A cascade's patch as a vertex lays it: sample n of it stands at n / N of its length, a texel's centre at (n + 1/2) / N.
+fn cascade_placement(plane: Plane, cascade: u32, triangle: LatticeTriangle, k: u32, texels: f32) -> Placement {
     var found = placement(plane, cascade, frame.spacings[cascade], frame.patches[cascade], triangle, k);
     found.at += 0.5 / texels;
     return found;
@@ -21,12 +21,12 @@ fn mip_for(footprint: Metres, patch_length: Metres, texels: f32) -> f32 {
     return log2(max(footprint * texels / patch_length, 1.0));
 }
 
-// Beyond a tile's coarsest useful mip nothing is left of it but its mean, zero.
+// Beyond a patch's coarsest useful mip nothing is left of it but its mean, zero.
 fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
     return 1.0 - smoothstep(0.1, 0.4, footprint / patch_length);
 }
 
-// Tiles of which something is left, the longest of all first: how many, and how many whose longest waves, a sixth of the tile, are two
+// Patches of which something is left, the longest of all first: how many, and how many whose longest waves, a sixth of the patch, are two
 // footprints or longer. Of the others neighbouring footprints share nothing: there one vertex of the lattice serves as well as three,
 // with no seam to be seen, and their chop steepens no crest that shows.
 struct Shown { all: u32, clear: u32 }
@@ -34,9 +34,9 @@ struct Shown { all: u32, clear: u32 }
 fn shown_cascades(footprint: Metres) -> Shown {
     var shown = Shown(0u, 0u);
     for (var c = 0u; c < frame.cascade_count; c++) {
-        let tiles = footprint / frame.patches[c];
-        shown.all += u32(tiles < 0.4);
-        shown.clear += u32(tiles < 1.0 / 12.0);
+        let patches = footprint / frame.patches[c];
+        shown.all += u32(patches < 0.4);
+        shown.clear += u32(patches < 1.0 / 12.0);
     }
     return shown;
 }
@@ -53,34 +53,34 @@ fn in_cell(cell: u32, p: vec3f, cells: Serving) -> InCell {
     return InCell(cell_weight(cell, p, cells), plane, in_plane(plane, p));
 }
 
-// A tile around a point: the lattice's triangle, the mip level that a footprint takes, and how much of the tile is left there.
-struct Around { triangle: Triangle, lod: f32, fade: f32 }
+// A patch around a point: the lattice's triangle, the mip level that a footprint takes, and how much of the patch is left there.
+struct Around { triangle: LatticeTriangle, lod: f32, fade: f32 }
 
 fn cascade_around(here: InCell, c: u32, footprint: Metres, texels: f32) -> Around {
     let length = frame.patches[c];
-    let triangle = triangle_around(here.plane, c, frame.spacings[c], here.q);
+    let triangle = lattice_triangle(here.plane, c, frame.spacings[c], here.q);
     return Around(triangle, mip_for(footprint, length, texels), resolvable(footprint, length));
 }
 
 fn perlin_around(here: InCell, footprint: Metres) -> Around {
     let length = frame.perlin_patch;
-    let triangle = triangle_around(here.plane, PERLIN_TILE, frame.perlin_spacing, here.q);
+    let triangle = lattice_triangle(here.plane, PERLIN_PATCH, frame.perlin_spacing, here.q);
     return Around(triangle, mip_for(footprint, length, f32(textureDimensions(perlin).x)), resolvable(footprint, length));
 }
 
-fn perlin_placement(plane: Plane, triangle: Triangle, k: u32) -> Placement {
-    return placement(plane, PERLIN_TILE, frame.perlin_spacing, frame.perlin_patch, triangle, k);
+fn perlin_placement(plane: Plane, triangle: LatticeTriangle, k: u32) -> Placement {
+    return placement(plane, PERLIN_PATCH, frame.perlin_spacing, frame.perlin_patch, triangle, k);
 }
 
 // The triangle, or its greatest vertex alone.
-fn served(triangle: Triangle, whole: bool) -> Triangle {
+fn served(triangle: LatticeTriangle, whole: bool) -> LatticeTriangle {
     if whole { return triangle; }
     var one = triangle;
     one.weights = vec3f(1.0, 0.0, 0.0);
     return one;
 }
 
-// A symmetric tensor (xx, yy, xy) of a tile, turned to east and north; ax and ay are the tile's axes.
+// A symmetric tensor (xx, yy, xy) of a patch, turned to east and north; ax and ay are the patch's axes.
 fn turned(t: vec3f, ax: vec2f, ay: vec2f) -> vec3f {
     return vec3f(
         t.x * ax.x * ax.x + t.y * ay.x * ay.x + 2.0 * t.z * ax.x * ay.x,
