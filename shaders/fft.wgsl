@@ -1,7 +1,9 @@
 // Two dispatches make the sea surface of every cascade: rows evolve the spectrum and transform it along x, columns finish
 // along y and write eight real fields and the products whose means become roughness. Eight real fields ride in four complex
 // ones: IFFT(A + iB) = a + ib for Hermitian A, B. Formulas: src/model/waves.rs; the transform: shaders/lib/stockham.wgsl.
-// Prepended: N, LINES (rows or columns of a workgroup), FIRST (radix of the first stage), HALF (16-bit floats in between).
+// Foam's past needs the stretches alone: they ride in two complex ones, which are transformed without the others where it is made.
+// Prepended: N, LINES (rows or columns of a workgroup), FIRST (radix of the first stage), HALF (16-bit floats in between), HALVES (of
+// the fields that are transformed: 2, or 1 for the stretches).
 
 struct Evolution {
     ticks: vec2u,              // low and high word of the time in 2^-20 s
@@ -80,8 +82,8 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
     let row_gain = gain(row);
     let d = evolution.scales[2u * group.y];
     let g = evolution.scales[2u * group.y + 1u];
-    var ab: array<vec4f, 8>;
-    var cd: array<vec4f, 8>;
+    var a: array<vec4f, 8>;    // (h, dDx/dy), (dDx/dx, dDy/dy)
+    var b: array<vec4f, 8>;    // (Dx, Dy), (dh/dx, dh/dy)
     // Rolled up, since it is most of the code: drivers that take seconds for long shaders see two of eight. Two, so that the
     // loads of one hide behind those of the other. Each thread reads back the slots that it has written itself.
     for (var i = at; i < N; i += 2u * SPAN) {
@@ -94,30 +96,34 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
     workgroupBarrier();
 #unroll 8    let kx_$ = wavenumber(at + $u * SPAN) * dk;
 #unroll 8    let u_$ = vec2f(kx_$, ky) / max(length(vec2f(kx_$, ky)), 1e-9);
-    // (Dx, Dy), (h, dDx/dy), (dh/dx, dh/dy), (dDx/dx, dDy/dy): the second of a pair is multiplied by i.
+    // The second of a pair is multiplied by i.
 #unroll 8    let s_$ = row_gain * gain(at + $u * SPAN);
-#unroll 8    ab[$] = vec4f(times(vec2f(-d.y * u_$.y, d.x * u_$.x) * s_$, h_$), times(vec2f(d.z * s_$, -d.w * kx_$ * u_$.y), h_$));
-#unroll 8    cd[$] = vec4f(times(vec2f(-g.y * ky, g.x * kx_$), h_$), times(vec2f(-g.z * kx_$ * u_$.x, -g.w * ky * u_$.y), h_$));
-    inverse(&ab, &cd, line, at);
+#unroll 8    a[$] = vec4f(times(vec2f(d.z * s_$, -d.w * kx_$ * u_$.y), h_$), times(vec2f(-g.z * kx_$ * u_$.x, -g.w * ky * u_$.y), h_$));
+    if HALVES == 2u {
+#unroll 8        b[$] = vec4f(times(vec2f(-d.y * u_$.y, d.x * u_$.x) * s_$, h_$), times(vec2f(-g.y * ky, g.x * kx_$), h_$));
+    }
+    inverse(&a, &b, line, at);
     let to = base + row * N + at;
     if HALF {
-#unroll 8        halfway[to + $u * SPAN] = packed(ab[$], cd[$]);
+#unroll 8        halfway[to + $u * SPAN] = packed(a[$], b[$]);
     } else {
-#unroll 8        halfway[2u * (to + $u * SPAN)] = bitcast<vec4u>(ab[$]);
-#unroll 8        halfway[2u * (to + $u * SPAN) + 1u] = bitcast<vec4u>(cd[$]);
+#unroll 8        halfway[2u * (to + $u * SPAN)] = bitcast<vec4u>(a[$]);
+#unroll 8        halfway[2u * (to + $u * SPAN) + 1u] = bitcast<vec4u>(b[$]);
     }
 }
 
-fn packed(ab: vec4f, cd: vec4f) -> vec4u {
-    return vec4u(pack2x16float(ab.xy), pack2x16float(ab.zw), pack2x16float(cd.xy), pack2x16float(cd.zw));
+fn packed(a: vec4f, b: vec4f) -> vec4u {
+    return vec4u(pack2x16float(a.xy), pack2x16float(a.zw), pack2x16float(b.xy), pack2x16float(b.zw));
 }
 
 fn unpacked(a: u32, b: u32) -> vec4f { return vec4f(unpack2x16float(a), unpack2x16float(b)); }
 
-fn put(at: vec2u, cascade: u32, displacement: vec4f, gradient: vec4f) {
-    textureStore(displacements, at, cascade, vec4f(displacement.xyz, 0.0));
-    textureStore(slopes, at, cascade, vec4f(gradient.xy, gradient.xy * gradient.xy));
-    textureStore(stretches, at, cascade, vec4f(gradient.zw, displacement.w, 0.0));
+fn put(at: vec2u, cascade: u32, a: vec4f, b: vec4f) {
+    textureStore(stretches, at, cascade, vec4f(a.zw, a.y, 0.0));
+    if HALVES == 2u {
+        textureStore(displacements, at, cascade, vec4f(b.xy, a.x, 0.0));
+        textureStore(slopes, at, cascade, vec4f(b.zw, b.zw * b.zw));
+    }
 }
 
 @compute @workgroup_size(THREADS)
@@ -127,18 +133,18 @@ fn columns(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) 
     let at = thread / LINES;
     let column = group.x * LINES + line;
     let start = group.y * N * N + column;
-    var ab: array<vec4f, 8>;
-    var cd: array<vec4f, 8>;
+    var a: array<vec4f, 8>;
+    var b: array<vec4f, 8>;
     if HALF {
 #unroll 8        let e_$ = halfway[start + (at + $u * SPAN) * N];
-#unroll 8        ab[$] = unpacked(e_$.x, e_$.y);
-#unroll 8        cd[$] = unpacked(e_$.z, e_$.w);
+#unroll 8        a[$] = unpacked(e_$.x, e_$.y);
+#unroll 8        b[$] = unpacked(e_$.z, e_$.w);
     } else {
-#unroll 8        ab[$] = bitcast<vec4f>(halfway[2u * (start + (at + $u * SPAN) * N)]);
-#unroll 8        cd[$] = bitcast<vec4f>(halfway[2u * (start + (at + $u * SPAN) * N) + 1u]);
+#unroll 8        a[$] = bitcast<vec4f>(halfway[2u * (start + (at + $u * SPAN) * N)]);
+#unroll 8        b[$] = bitcast<vec4f>(halfway[2u * (start + (at + $u * SPAN) * N) + 1u]);
     }
-    inverse(&ab, &cd, line, at);
+    inverse(&a, &b, line, at);
     let d = 1.0 / evolution.scales[2u * group.y];
     let g = 1.0 / evolution.scales[2u * group.y + 1u];
-#unroll 8    put(vec2u(column, at + $u * SPAN), group.y, ab[$] * d, cd[$] * g);
+#unroll 8    put(vec2u(column, at + $u * SPAN), group.y, a[$] * vec4f(d.zw, g.zw), b[$] * vec4f(d.xy, g.xy));
 }

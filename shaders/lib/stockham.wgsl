@@ -1,6 +1,6 @@
 // Unscaled inverse transforms of LINES times N elements by one workgroup: Stockham, eight elements per thread in registers,
 // radix 8 after one first stage of radix 8, 4 or 2, so that inputs and outputs of thread `at` are at + r * SPAN.
-// ab and cd hold two complex numbers in each vec4f: four transforms run side by side.
+// a and b hold two complex numbers in each vec4f: four transforms run side by side, or the two of a alone where HALVES is 1.
 
 const SPAN: u32 = N / 8u;               // threads of a line
 const THREADS: u32 = SPAN * LINES;
@@ -60,12 +60,20 @@ struct Route { start: u32, step: u32, jump: u32 }
 
 fn routed(to: Route, r: u32) -> u32 { return to.start + r * to.step + (r / FIRST) * to.jump; }
 
+// What has been done gives way to the other half, if there is one.
+fn take_turns(a: ptr<function, array<vec4f, 8>>, b: ptr<function, array<vec4f, 8>>, done: array<vec4f, 8>) {
+    if HALVES == 2u {
+        *a = *b;
+        *b = done;
+    } else {
+        *a = done;
+    }
+}
+
 // The two halves take turns in the same code, which is long enough for slow compilers.
-fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>>, line: u32, at: u32) {
-    for (var half = 0u; half < 2u; half++) {
-        let done = first_stage(*ab);
-        *ab = *cd;
-        *cd = done;
+fn inverse(a: ptr<function, array<vec4f, 8>>, b: ptr<function, array<vec4f, 8>>, line: u32, at: u32) {
+    for (var half = 0u; half < HALVES; half++) {
+        take_turns(a, b, first_stage(*a));
     }
     var to = Route(FIRST * at, 1u, FIRST * (SPAN - 1u));
     for (var stride = FIRST; stride < N; stride *= 8u) {
@@ -76,11 +84,9 @@ fn inverse(ab: ptr<function, array<vec4f, 8>>, cd: ptr<function, array<vec4f, 8>
         let w4 = twiddles[4u * turn];
         let w3 = times(w1, w2);
         let w = array<vec2f, 8>(vec2f(1.0, 0.0), w1, w2, w3, w4, times(w1, w4), times(w2, w4), times(w3, w4));
-        for (var half = 0u; half < 2u; half++) {
-            exchange(ab, half, line, at, to);
-            let done = stage(*ab, w);
-            *ab = *cd;
-            *cd = done;
+        for (var half = 0u; half < HALVES; half++) {
+            exchange(a, half, line, at, to);
+            take_turns(a, b, stage(*a, w));
         }
         to = Route((at / stride) * stride * 8u + phase, stride, 0u);
     }

@@ -63,26 +63,38 @@ impl Precision {
     }
 }
 
+/// What the pass makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fields {
+    /// Everything: what is drawn.
+    All,
+    /// [`Fft::stretches`] alone, to the same bits with half the transforms: what foam is made from.
+    Stretches,
+}
+
 /// How a workgroup of the pass is made for patches of `n` samples: (lines, complex fields per exchange). Eight elements per thread;
 /// lines and fields are chosen so that at least 64 threads work together (from 128 samples) and the exchange fits into the
 /// 16,384 bytes of workgroup memory.
-fn workgroup(n: usize) -> (usize, usize) {
-    match n {
-        ..=512 => ((512 / n).clamp(1, n), 4),
-        1024 => (1, 2),
+fn workgroup(n: usize, fields: Fields) -> (usize, usize) {
+    match (n, fields) {
+        (..=512, Fields::All) => ((512 / n).clamp(1, n), 4),
+        (..=512, Fields::Stretches) => ((512 / n).clamp(1, n), 2),
+        (1024, _) => (1, 2),
         _ => (1, 1),
     }
 }
 
 /// The composed shader of patches of `n` samples.
-pub fn source(n: usize, precision: Precision) -> String {
-    let (lines, fields) = workgroup(n);
+pub fn source(n: usize, precision: Precision, fields: Fields) -> String {
+    let (lines, exchanged) = workgroup(n, fields);
+    let halves = if fields == Fields::All { 2 } else { 1 };
     let first = [8, 2, 4][n.ilog2() as usize % 3];
     let half = precision == Precision::Half;
     let text = include_str!("../../shaders/fft.wgsl").replace("FORMAT", precision.format().1);
-    let text = text.replace("exchange_FIELDS", &format!("exchange_{fields}"));
+    let text = text.replace("exchange_FIELDS", &format!("exchange_{exchanged}"));
     let definitions = format!(
-        "const N: u32 = {n}u;\nconst LINES: u32 = {lines}u;\nconst FIRST: u32 = {first}u;\nconst HALF: bool = {half};"
+        "const N: u32 = {n}u;\nconst LINES: u32 = {lines}u;\nconst FIRST: u32 = {first}u;\nconst HALF: bool = {half};\n\
+         const HALVES: u32 = {halves}u;"
     );
     shader::composed(&text, &definitions)
 }
@@ -103,8 +115,9 @@ struct Batch {
 /// The pass and the textures that it fills.
 pub struct Fft {
     n: usize,
-    rows: Compute,
-    columns: Compute,
+    /// Rows and columns.
+    all: [Compute; 2],
+    stretches_alone: [Compute; 2],
     amplitudes: wgpu::Buffer,
     frequencies: wgpu::Buffer,
     /// Those in the buffer: seas on the same patches share them.
@@ -135,7 +148,8 @@ impl Fft {
         let binds =
             [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write, write];
         let layout = gpu.layout("fft", compute, &binds);
-        let [rows, columns] = gpu.compute("fft", &source(n, precision), &[&layout], ["rows", "columns"]);
+        let [all, stretches_alone] = [Fields::All, Fields::Stretches]
+            .map(|fields| gpu.compute("fft", &source(n, precision, fields), &[&layout], ["rows", "columns"]));
 
         let patch = (n * n) as u64;
         let batches = batches(n, layers, precision, gpu.device.limits().max_storage_buffer_binding_size);
@@ -174,8 +188,8 @@ impl Fft {
         Self {
             sharpened: false,
             n,
-            rows,
-            columns,
+            all,
+            stretches_alone,
             amplitudes,
             frequencies,
             known_frequencies: None,
@@ -231,11 +245,16 @@ impl Fft {
 
     /// Two dispatches for the waves of all cascades of a batch.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
-        let groups = (self.n / workgroup(self.n).0) as u32;
+        self.transform(pass, Fields::All);
+    }
+
+    fn transform(&self, pass: &mut wgpu::ComputePass, fields: Fields) {
+        let groups = (self.n / workgroup(self.n, fields).0) as u32;
+        let pipelines = if fields == Fields::All { &self.all } else { &self.stretches_alone };
         for batch in &self.batches {
             let patches = batch.patches.end.min(self.cascades.len()).saturating_sub(batch.patches.start) as u32;
             pass.set_bind_group(0, &batch.group, &[]);
-            for pipeline in [&self.rows, &self.columns] {
+            for pipeline in pipelines {
                 pass.set_pipeline(pipeline);
                 pass.dispatch_workgroups(groups, patches, 1);
             }
@@ -252,14 +271,15 @@ impl Fft {
         self.mips.dispatch(pass);
     }
 
-    /// The mip levels of [`Fft::stretches`] alone: what foam is made from.
-    pub fn dispatch_stretch_mips(&self, pass: &mut wgpu::ComputePass) {
+    /// [`Fft::stretches`] alone, with their mips: what foam is made from. The other textures keep what they hold.
+    pub fn dispatch_stretches(&self, pass: &mut wgpu::ComputePass) {
+        self.transform(pass, Fields::Stretches);
         self.mips.dispatch_from(pass, 2);
     }
 
-    /// Dispatches of one [`Fft::dispatch_stretch_mips`]: a third of those of [`Fft::dispatch_mips`].
-    pub fn stretch_mip_dispatches(&self) -> usize {
-        self.mips.dispatches() / 3
+    /// Dispatches of one [`Fft::dispatch_stretches`].
+    pub fn stretch_dispatches(&self) -> usize {
+        self.dispatches() + self.mips.dispatches() / 3
     }
 
     /// Dispatches of one [`Fft::dispatch_mips`].

@@ -132,15 +132,14 @@ impl Surface {
                 return;
             }
             budget -= 1;
-            self.replayed += self.fft.dispatches() + self.fft.stretch_mip_dispatches() + foam::DISPATCHES;
+            self.replayed += self.fft.stretch_dispatches() + foam::DISPATCHES;
             self.foam.prepare(gpu, &step(&mut self.history, frame, instant, lifetime_s));
             self.fft.set_time(gpu, instant);
             self.made[0] = None;
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
-                self.fft.dispatch(&mut pass);
-                self.fft.dispatch_stretch_mips(&mut pass);
+                self.fft.dispatch_stretches(&mut pass);
                 self.foam.dispatch(&mut pass, frame_group, &self.groups[self.foam.current()]);
             }
             gpu.queue.submit([encoder.finish()]);

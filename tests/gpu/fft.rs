@@ -72,9 +72,9 @@ fn in_order(f: &Fields) -> [&Vec<f64>; 8] {
     [&f.dx, &f.dy, &f.eta, &f.dx_y, &f.eta_x, &f.eta_y, &f.dx_x, &f.dy_y]
 }
 
-/// A patch with all its waves at the same height, in the mean, of some `deviation_m` together, and what the model makes of it at
-/// [`LATER_S`]. White noise shows errors of a transform that a sea's few long waves would hide.
-fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields) {
+/// A patch with all its waves at the same height, in the mean, of some `deviation_m` together: their amplitudes and frequencies, rad/s.
+/// White noise shows errors of a transform that a sea's few long waves would hide.
+fn white_noise(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Vec<[f64; 2]>, Vec<f64>) {
     let cascade = Cascade { n, patch_m, k_min: 0.0, k_max: f64::INFINITY };
     let h0: Vec<[f64; 2]> = (0..n * n)
         .map(|index| {
@@ -88,6 +88,12 @@ fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields
     let omegas: Vec<f64> = cascade.wave_vectors().map(|(x, y)| dispersion::omega_deep(x.hypot(y))).collect();
     let mut data = WaveData::default();
     data.push(&cascade, &h0, &omegas);
+    (cascade, data, h0, omegas)
+}
+
+/// [`white_noise`], and what the model makes of it at [`LATER_S`].
+fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields) {
+    let (cascade, data, h0, omegas) = white_noise(n, patch_m, deviation_m);
     let fields = surface::fields_at(&h0, &cascade, &omegas, LATER_S);
     (cascade, data, fields)
 }
@@ -229,6 +235,40 @@ fn sixteen_bits_cost_less_than_their_last_place() {
         let errors: Vec<f64> = got.iter().zip(in_order(&want)).map(excess).collect();
         println!("{n}: {errors:.3?} of 2^-11");
         assert!(errors.iter().all(|&error| error < 1.0), "{n}: {errors:?} of 2^-11");
+    }
+}
+
+#[test]
+fn the_stretches_alone_have_the_bits_that_they_have_among_all_fields() {
+    let gpu = gpu();
+    // Every way of changing places between threads, and every first stage.
+    for (n, precision) in [
+        (32, Precision::Single),
+        (128, Precision::Half),
+        (256, Precision::Half),
+        (512, Precision::Half),
+        (1024, Precision::Half),
+        (2048, Precision::Single),
+    ] {
+        let (cascade, data, ..) = white_noise(n, 300.0, 0.5);
+        let now = waves::ticks_from_unix(LATER_S);
+        let fft = dispatched(&gpu, &[cascade], &data, now, precision);
+        let stretches = || -> Vec<Vec<f32>> {
+            (0..fft.stretches.mip_level_count()).map(|mip| floats(&gpu, &fft.stretches, 0, mip)).collect()
+        };
+        let others = || [&fft.displacements, &fft.slopes].map(|texture| floats(&gpu, texture, 0, 0));
+        let (want, left) = (stretches(), others());
+        let alone = |ticks| {
+            fft.set_time(&gpu, ticks);
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            fft.dispatch_stretches(&mut encoder.begin_compute_pass(&Default::default()));
+            gpu.queue.submit([encoder.finish()]);
+            stretches()
+        };
+        // Another instant between the two, so that what is read has been made anew.
+        assert!(alone(now + 1_000_000) != want, "{n}: the stretches stand still");
+        assert!(alone(now) == want, "{n}: {precision:?}");
+        assert!(others() == left, "{n}: the other fields were made too");
     }
 }
 

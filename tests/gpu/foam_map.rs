@@ -90,8 +90,7 @@ impl Sea {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
-            self.fft.dispatch(&mut pass);
-            self.fft.dispatch_stretch_mips(&mut pass);
+            self.fft.dispatch_stretches(&mut pass);
         }
         self.gpu.queue.submit([encoder.finish()]);
     }
