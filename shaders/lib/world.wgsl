@@ -54,34 +54,36 @@ fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 
-// The same of a texel of `level`, which a coarser page may serve for; distances in texels of `level`.
-fn texel(water: bool, square: u32, level: u32, index: vec2u) -> vec3f {
-    let words = pages[page_slot(square, level, index >> vec2u(TILE_BITS))];
-    let page = page_of(select(words.x, words.y, water));
+// The square of texels around a point at the level of the page that serves for it: texel (0, 0) before the point, (1, 1) behind, and
+// how far the point lies between their centres.
+struct TexelsAround { square: u32, page: Page, own: vec2u, first: vec2u, between: vec2f }
+
+fn texels_around(point: MapPoint, page: Page) -> TexelsAround {
+    let shift = 24u - page.level;
+    let shifted = point.at - vec2u(1u << (shift - 1u));
+    let between = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
+    return TexelsAround(point.square, page, (point.at >> vec2u(shift)) >> vec2u(TILE_BITS), shifted >> vec2u(shift), between);
+}
+
+// One of them, (0, 0) to (1, 1), or one beside them, in the page's units; another page, perhaps a coarser one, may serve for it.
+fn texel_around(water: bool, here: TexelsAround, step: vec2i) -> vec3f {
+    let level = here.page.level;
+    let index = (here.first + bitcast<vec2u>(step)) & vec2u((TILE_TEXELS << level) - 1u);
+    let tile = index >> vec2u(TILE_BITS);
+    var page = here.page;
+    if any(tile != here.own) {
+        let words = pages[page_slot(here.square, level, tile)];
+        page = page_of(select(words.x, words.y, water));
+    }
     let at = (index >> vec2u(level - min(page.level, level))) & vec2u(TILE_TEXELS - 1u);
     return page_texel(water, page, at) * select(1.0, exp2(f32(level) - f32(page.level)), water);
 }
 
-// Bilinear, across tile borders too, at the level of the page that serves for the point.
-fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
-    let level = page.level;
-    let shift = 24u - level;
-    let shifted = point.at - vec2u(1u << (shift - 1u));
-    let f = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
-    let mask = (TILE_TEXELS << level) - 1u;
-    let i0 = (shifted >> vec2u(shift)) & vec2u(mask);
-    let i1 = (i0 + vec2u(1u)) & vec2u(mask);
-    if all((i0 >> vec2u(TILE_BITS)) == (i1 >> vec2u(TILE_BITS))) {
-        // All four texels lie in the point's own tile.
-        let a = i0 & vec2u(TILE_TEXELS - 1u);
-        let b = i1 & vec2u(TILE_TEXELS - 1u);
-        let top = mix(page_texel(water, page, a), page_texel(water, page, vec2u(b.x, a.y)), f.x);
-        let bottom = mix(page_texel(water, page, vec2u(a.x, b.y)), page_texel(water, page, b), f.x);
-        return mix(top, bottom, f.y);
-    }
-    let top = mix(texel(water, point.square, level, i0), texel(water, point.square, level, vec2u(i1.x, i0.y)), f.x);
-    let bottom = mix(texel(water, point.square, level, vec2u(i0.x, i1.y)), texel(water, point.square, level, i1), f.x);
-    return mix(top, bottom, f.y);
+// Bilinear, across tile borders too.
+fn bilinear(water: bool, here: TexelsAround) -> vec3f {
+    let top = mix(texel_around(water, here, vec2i(0, 0)), texel_around(water, here, vec2i(1, 0)), here.between.x);
+    let bottom = mix(texel_around(water, here, vec2i(0, 1)), texel_around(water, here, vec2i(1, 1)), here.between.x);
+    return mix(top, bottom, here.between.y);
 }
 
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
@@ -118,8 +120,8 @@ fn texel_metres(point: MapPoint, level: f32, sin_lat: f32) -> Metres {
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let found = pages_at(point, level_for(point, footprint, cos_lat));
-    let terrain = bilinear(false, point, found.terrain);
-    var shores = bilinear(true, point, found.water).xy * texel_metres(point, f32(found.water.level), sin_lat);
+    let terrain = bilinear(false, texels_around(point, found.terrain));
+    var shores = bilinear(true, texels_around(point, found.water)).xy * texel_metres(point, f32(found.water.level), sin_lat);
     // Without any water tile the sign of the elevation tells sea from land.
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
