@@ -62,10 +62,13 @@ fn rest_position(grid: vec2f) -> vec3f {
     if below == 0.0 { return moved; }
     let from_distance = dot(rest.xy, ahead);
     var distance = from_distance - below * reach;
+    var width = 1.0;
+    // Where the screen's lower edge lies before the eye, the rim runs in towards it; behind, it only runs on.
     if from_distance > NEAREST {
         let nearing = min(below / 0.8, 1.0);
         distance = from_distance * pow(NEAREST / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
+        width = clamp(distance / from_distance, 0.02, 1.0);
     }
-    let aside = dot(rest.xy, right) * clamp(distance / max(from_distance, NEAREST), 0.02, 1.0) + reach * (beside + grid.x * below);
+    let aside = width * dot(rest.xy, right) + reach * (beside + grid.x * below);
     return vec3f(ahead * distance + right * aside, -frame.eye_altitude);
 }
