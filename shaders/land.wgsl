@@ -89,7 +89,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         discard;
         return vec4f(0.0);
     }
-    // Of wide pixels the own ray tells the place, as it does for the sea, so that none falls between the two. A ray over a ridge meets the
+    // Of wide pixels their own ray tells the place, as it does for the sea, so that none falls between the two. A ray over a ridge meets the
     // ellipsoid much farther on; a coarse triangle may lie far below it.
     let by_ray = FROM_SPACE || (chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance);
     var at: Place;
@@ -118,7 +118,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
     if ground.is_ocean && shows_sea && seen_from_air && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
-        // A coarse triangle between a hill and the bed.
+        // Coarse triangles slope down from a hill to the bed in front of the sea: what stands there is water.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
         if frame.output == PICTURE {

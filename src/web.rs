@@ -195,10 +195,11 @@ pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::re
     Ok(object.into())
 }
 
-/// See [`h0_hash`]. All tiles of 256 by 256 samples in a row.
+/// See [`h0_hash`]. All patches of 256 by 256 samples in a row.
 pub fn waves_hash(seed: u32, speed_mps: f64) -> String {
     let sea = waves::Sea::from_wind(speed_mps, seed, 1.0);
-    let tiles = waves::cascades(256);
-    let amplitudes = tiles.iter().enumerate().flat_map(|(index, tile)| waves::initial_amplitudes(&sea, index, tile));
+    let patches = waves::cascades(256);
+    let amplitudes =
+        patches.iter().enumerate().flat_map(|(index, patch)| waves::initial_amplitudes(&sea, index, patch));
     format!("{:016x}", waves::hash(&amplitudes.collect::<Vec<_>>()))
 }

@@ -166,7 +166,7 @@ pub fn counts(gpu: &Gpu) -> Value {
     let rows: Vec<Value> = [256, 512, 1024].into_iter().map(row).collect();
     println!("copy kernel: {:.2} GB/s; everything is in one pass of the frame's one submission", copied * 1e-9);
     println!(
-        "Perlin: 1 dispatch, mips apart; foam: 1 dispatch, and for a still picture 25 replayed steps of waves, mips and foam before it"
+        "Perlin: 1 dispatch, mips apart; foam: 1 dispatch, and for a still picture 25 replayed steps of stretches, their mips and foam before it"
     );
     json!({ "copy_bytes_per_s": copied, "sizes": rows })
 }

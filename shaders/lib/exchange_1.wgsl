@@ -1,4 +1,4 @@
-// One of the four fields changes threads at a time.
+// One complex field changes threads at a time.
 
 var<workgroup> slots: array<vec2f, LINES * N>;
 

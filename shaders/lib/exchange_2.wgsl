@@ -1,4 +1,4 @@
-// Two of the four fields change threads at a time, both halves in the same slots.
+// Two complex fields change threads at a time; two halves take the same slots.
 
 var<workgroup> slots: array<vec4f, LINES * N>;
 

@@ -1,5 +1,7 @@
-// Two of the four fields change threads at a time, the two halves in slots of their own: when one half's barrier is passed, the
-// other's slots have been read.
+// Two of four complex fields change threads at a time, the two halves in slots of their own: when one half's barrier is passed, the
+// other's slots have been read. One half alone would overwrite what is still to be read.
+
+const_assert HALVES == 2u;
 
 var<workgroup> slots: array<vec4f, 2 * LINES * N>;
 

@@ -34,9 +34,9 @@ struct Shown { all: u32, clear: u32 }
 fn shown_cascades(footprint: Metres) -> Shown {
     var shown = Shown(0u, 0u);
     for (var c = 0u; c < frame.cascade_count; c++) {
-        let patches = footprint / frame.patches[c];
-        shown.all += u32(patches < 0.4);
-        shown.clear += u32(patches < 1.0 / 12.0);
+        let part = footprint / frame.patches[c];
+        shown.all += u32(part < 0.4);
+        shown.clear += u32(part < 1.0 / 12.0);
     }
     return shown;
 }

@@ -54,9 +54,14 @@ fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 
-// The square of texels around a point at the level of the page that serves for it: texel (0, 0) before the point, (1, 1) behind, and
-// how far the point lies between their centres.
-struct TexelsAround { square: u32, page: Page, own: vec2u, first: vec2u, between: vec2f }
+// The four texels whose centres lie around a point, of the page that serves for it.
+struct TexelsAround {
+    square: u32,
+    page: Page,
+    tile: vec2u,       // of the page
+    corner: vec2u,     // the texel to the left and up, of the level's whole map
+    between: vec2f,    // how far the point lies from that one's centre towards the others
+}
 
 fn texels_around(point: MapPoint, page: Page) -> TexelsAround {
     let shift = 24u - page.level;
@@ -65,13 +70,13 @@ fn texels_around(point: MapPoint, page: Page) -> TexelsAround {
     return TexelsAround(point.square, page, (point.at >> vec2u(shift)) >> vec2u(TILE_BITS), shifted >> vec2u(shift), between);
 }
 
-// One of them, (0, 0) to (1, 1), or one beside them, in the page's units; another page, perhaps a coarser one, may serve for it.
-fn texel_around(water: bool, here: TexelsAround, step: vec2i) -> vec3f {
+// One of them, `step` to the right and down, in the page's units; beyond its tile another page, perhaps a coarser one, serves.
+fn texel_around(water: bool, here: TexelsAround, step: vec2u) -> vec3f {
     let level = here.page.level;
-    let index = (here.first + bitcast<vec2u>(step)) & vec2u((TILE_TEXELS << level) - 1u);
+    let index = (here.corner + step) & vec2u((TILE_TEXELS << level) - 1u);
     let tile = index >> vec2u(TILE_BITS);
     var page = here.page;
-    if any(tile != here.own) {
+    if any(tile != here.tile) {
         let words = pages[page_slot(here.square, level, tile)];
         page = page_of(select(words.x, words.y, water));
     }
@@ -81,8 +86,8 @@ fn texel_around(water: bool, here: TexelsAround, step: vec2i) -> vec3f {
 
 // Bilinear, across tile borders too.
 fn bilinear(water: bool, here: TexelsAround) -> vec3f {
-    let top = mix(texel_around(water, here, vec2i(0, 0)), texel_around(water, here, vec2i(1, 0)), here.between.x);
-    let bottom = mix(texel_around(water, here, vec2i(0, 1)), texel_around(water, here, vec2i(1, 1)), here.between.x);
+    let top = mix(texel_around(water, here, vec2u(0u, 0u)), texel_around(water, here, vec2u(1u, 0u)), here.between.x);
+    let bottom = mix(texel_around(water, here, vec2u(0u, 1u)), texel_around(water, here, vec2u(1u, 1u)), here.between.x);
     return mix(top, bottom, here.between.y);
 }
 

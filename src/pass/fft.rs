@@ -68,7 +68,7 @@ impl Precision {
 pub enum Fields {
     /// Everything: what is drawn.
     All,
-    /// [`Fft::stretches`] alone, to the same bits with half the transforms: what foam is made from.
+    /// [`Fft::stretches`] alone, by half the transforms: what foam is made from.
     Stretches,
 }
 
@@ -151,20 +151,20 @@ impl Fft {
         let [all, stretches_alone] = [Fields::All, Fields::Stretches]
             .map(|fields| gpu.compute("fft", &source(n, precision, fields), &[&layout], ["rows", "columns"]));
 
-        let patch = (n * n) as u64;
+        let samples = (n * n) as u64;
         let batches = batches(n, layers, precision, gpu.device.limits().max_storage_buffer_binding_size);
         let largest = batches.iter().map(|patches| patches.len()).max().unwrap_or(1) as u64;
-        let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, patch * 8 * layers as u64);
+        let waves = |label| gpu.empty_buffer(label, B::STORAGE | B::COPY_DST, samples * 8 * layers as u64);
         let (amplitudes, frequencies) = (waves("amplitudes"), waves("frequencies"));
-        let halfway = gpu.empty_buffer("halfway", B::STORAGE, patch * precision.bytes_halfway() * largest);
+        let halfway = gpu.empty_buffer("halfway", B::STORAGE, samples * precision.bytes_halfway() * largest);
         let twiddles = gpu.buffer("twiddles", B::STORAGE, bytemuck::cast_slice(&twiddles(n)));
         let batch = |patches: Range<usize>| {
             let evolution = gpu.empty_buffer("evolution", B::UNIFORM | B::COPY_DST, size_of::<Evolution>() as u64);
             let part = |buffer| {
-                let size = wgpu::BufferSize::new(patch * 8 * patches.len() as u64);
+                let size = wgpu::BufferSize::new(samples * 8 * patches.len() as u64);
                 wgpu::BindingResource::Buffer(wgpu::BufferBinding {
                     buffer,
-                    offset: patch * 8 * patches.start as u64,
+                    offset: samples * 8 * patches.start as u64,
                     size,
                 })
             };
@@ -226,17 +226,17 @@ impl Fft {
         self.n
     }
 
-    /// Sets the instant of the next [`Fft::dispatch`], in ticks of the wave clock.
+    /// Sets the instant of the next [`Fft::dispatch`] or [`Fft::dispatch_stretches`], in ticks of the wave clock.
     pub fn set_time(&self, gpu: &Gpu, ticks: u64) {
         for batch in &self.batches {
             let first = batch.patches.start;
-            let patch = |i: usize| self.cascades.get(first + i).map_or(1.0, |c| c.patch_m as f32);
+            let length = |i: usize| self.cascades.get(first + i).map_or(1.0, |c| c.patch_m as f32);
             let scale = |i: usize| self.scales.get(first + i / 2).map_or([1.0; 4], |pair| pair[i % 2]);
             let evolution = Evolution {
                 ticks: words(ticks),
                 cascade_count: batch.patches.len() as u32,
                 sharpened: u32::from(self.sharpened),
-                patches: std::array::from_fn(patch),
+                patches: std::array::from_fn(length),
                 scales: std::array::from_fn(scale),
             };
             gpu.queue.write_buffer(&batch.evolution, 0, bytemuck::bytes_of(&evolution));
@@ -279,6 +279,7 @@ impl Fft {
 
     /// Dispatches of one [`Fft::dispatch_stretches`].
     pub fn stretch_dispatches(&self) -> usize {
+        // Mips of one of three textures.
         self.dispatches() + self.mips.dispatches() / 3
     }
 

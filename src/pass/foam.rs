@@ -1,5 +1,5 @@
 //! Foam in time: one dispatch advances the four levels of the foam map. What it means: `model/foam.rs`,
-//! where it lies: `scene/foam.rs`, when it moves on: `scene/foam_history.rs`.
+//! where it lies: `scene/sea/foam.rs`, when it moves on: `scene/sea/foam_history.rs`.
 
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};

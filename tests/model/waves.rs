@@ -27,7 +27,7 @@ fn sea(speed: f64, seed: u32) -> Sea {
 }
 
 #[test]
-fn golden_tile() {
+fn golden_patch() {
     let file = oracle(include_str!("../oracles/fft.json"));
     let patch = &file["golden_tile"];
     let n = patch["N"].as_u64().unwrap() as usize;
@@ -105,20 +105,20 @@ fn transform_agrees_with_another_library() {
 
 #[test]
 fn ensemble_has_the_energy_of_the_spectrum() {
-    const PATCHES: u32 = 60;
+    const SEEDS: u32 = 60;
     for index in 0..CASCADES {
         let patch = cascades(64)[index];
         let energies = cell_energies(&sea(10.0, 0).spectrum(), &patch);
         let want: f64 = energies.iter().sum();
         let mut mean = 0.0;
-        for seed in 0..PATCHES {
+        for seed in 0..SEEDS {
             let h0 = initial_amplitudes(&sea(10.0, seed), index, &patch);
             let eta = surface::fields(&h0, &patch, ticks_from_unix(f64::from(seed) * 17.0)).eta;
-            mean += eta.iter().map(|eta| eta * eta).sum::<f64>() / eta.len() as f64 / f64::from(PATCHES);
+            mean += eta.iter().map(|eta| eta * eta).sum::<f64>() / eta.len() as f64 / f64::from(SEEDS);
         }
         // |H|² is exponential about (E + E')/2 and each pair k, -k counts twice: var(one patch) = Σ over pairs of (E + E')².
         let pair = |i: usize| energies[i] + energies[(64 - i / 64) % 64 * 64 + (64 - i % 64) % 64];
-        let sigma = (0.5 * (0..64 * 64).map(|i| pair(i) * pair(i)).sum::<f64>() / f64::from(PATCHES)).sqrt();
+        let sigma = (0.5 * (0..64 * 64).map(|i| pair(i) * pair(i)).sum::<f64>() / f64::from(SEEDS)).sqrt();
         println!("cascade {index}: {mean:.4e} of {want:.4e}, sigma {sigma:.1e}");
         assert!((mean - want).abs() < 4.0 * sigma, "cascade {index}: {mean} against {want} ± {sigma}");
         assert!(sigma < 0.05 * want, "sharp enough to tell a factor 2 or 8");

@@ -60,9 +60,9 @@ pub struct Simulation<const N: usize> {
     levels: [Series; N],
 }
 
-/// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its patch's textures: it reads the mip whose texels
-/// are nearest to it in size, the means of blocks of samples, and interpolates between them. Equals what `smaller_eigenvalue` in
-/// `shaders/foam.wgsl` does.
+/// Root mean square share of a wave (kx, ky), rad/m, that a texel of `texel_m` sees in its patch's textures: it reads the two
+/// mips on either side of its own size, each the means of blocks of samples, and interpolates between their texels. Equals what
+/// `smaller_eigenvalue` in `shaders/foam.wgsl` does.
 pub fn kept(patch: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
     let step = patch.patch_m / patch.n as f64;
     let lod = libm::log2((texel_m / step).max(1.0)).min(f64::from(patch.n.ilog2()) - 2.0);

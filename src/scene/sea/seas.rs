@@ -5,7 +5,7 @@
 //!
 //! ```text
 //!  settings move  ──►  new waves, a part a frame   ──►  drawn from then on   ──►  thresholds of foam, a part a frame
-//!                      the last sea is drawn on         (first on patches of         until then those of a sixteenth
+//!                      the last sea is drawn on         (first on patches of       until then those of a sixteenth
 //!                                                       256², then on finer ones)  of their points
 //! ```
 
