@@ -7,6 +7,7 @@ mod hidden_window;
 mod horizon;
 mod luminance;
 mod meshes;
+mod relief;
 mod ride;
 mod sheets;
 mod sweep;
