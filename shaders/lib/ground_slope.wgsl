@@ -4,7 +4,7 @@
 // The terrain tiles' own elevation beside a point.
 fn terrain_at(point: MapPoint, level: u32, step: vec2u) -> Metres {
     let beside = MapPoint(point.square, point.at + step);
-    return bilinear(false, texels_around(beside, pages_at(beside, level).terrain)).x;
+    return bilinear(false, beside, pages_at(beside, level).terrain).x;
 }
 
 // A direction on the map, right and up, as east and north: the same on Mercator's square, on a polar one turned with the longitude.

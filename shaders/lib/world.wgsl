@@ -54,41 +54,32 @@ fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 
-// The four texels whose centres lie around a point, of the page that serves for it.
-struct TexelsAround {
-    square: u32,
-    page: Page,
-    tile: vec2u,       // of the page
-    corner: vec2u,     // the texel to the left and up, of the level's whole map
-    between: vec2f,    // how far the point lies from that one's centre towards the others
-}
-
-fn texels_around(point: MapPoint, page: Page) -> TexelsAround {
-    let shift = 24u - page.level;
-    let shifted = point.at - vec2u(1u << (shift - 1u));
-    let between = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
-    return TexelsAround(point.square, page, (point.at >> vec2u(shift)) >> vec2u(TILE_BITS), shifted >> vec2u(shift), between);
-}
-
-// One of them, `step` to the right and down, in the page's units; beyond its tile another page, perhaps a coarser one, serves.
-fn texel_around(water: bool, here: TexelsAround, step: vec2u) -> vec3f {
-    let level = here.page.level;
-    let index = (here.corner + step) & vec2u((TILE_TEXELS << level) - 1u);
-    let tile = index >> vec2u(TILE_BITS);
-    var page = here.page;
-    if any(tile != here.tile) {
-        let words = pages[page_slot(here.square, level, tile)];
-        page = page_of(select(words.x, words.y, water));
+// A texel of a level's whole map. `page` serves for `tile`; in another tile another page does, perhaps a coarser one. Distances are in
+// texels of the level.
+fn texel(water: bool, square: u32, level: u32, index: vec2u, tile: vec2u, page: Page) -> vec3f {
+    let own_tile = index >> vec2u(TILE_BITS);
+    var own = page;
+    if any(own_tile != tile) {
+        let words = pages[page_slot(square, level, own_tile)];
+        own = page_of(select(words.x, words.y, water));
     }
-    let at = (index >> vec2u(level - min(page.level, level))) & vec2u(TILE_TEXELS - 1u);
-    return page_texel(water, page, at) * select(1.0, exp2(f32(level) - f32(page.level)), water);
+    let at = (index >> vec2u(level - min(own.level, level))) & vec2u(TILE_TEXELS - 1u);
+    return page_texel(water, own, at) * select(1.0, exp2(f32(level) - f32(own.level)), water);
 }
 
-// Bilinear, across tile borders too.
-fn bilinear(water: bool, here: TexelsAround) -> vec3f {
-    let top = mix(texel_around(water, here, vec2u(0u, 0u)), texel_around(water, here, vec2u(1u, 0u)), here.between.x);
-    let bottom = mix(texel_around(water, here, vec2u(0u, 1u)), texel_around(water, here, vec2u(1u, 1u)), here.between.x);
-    return mix(top, bottom, here.between.y);
+// Bilinear, across tile borders too, at the level of the page that serves for the point.
+fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
+    let level = page.level;
+    let shift = 24u - level;
+    let shifted = point.at - vec2u(1u << (shift - 1u));
+    let f = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
+    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
+    let mask = vec2u((TILE_TEXELS << level) - 1u);
+    let a = (shifted >> vec2u(shift)) & mask;
+    let b = (a + vec2u(1u)) & mask;
+    let top = mix(texel(water, point.square, level, a, tile, page), texel(water, point.square, level, vec2u(b.x, a.y), tile, page), f.x);
+    let bottom = mix(texel(water, point.square, level, vec2u(a.x, b.y), tile, page), texel(water, point.square, level, b, tile, page), f.x);
+    return mix(top, bottom, f.y);
 }
 
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
@@ -125,8 +116,8 @@ fn texel_metres(point: MapPoint, level: f32, sin_lat: f32) -> Metres {
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let found = pages_at(point, level_for(point, footprint, cos_lat));
-    let terrain = bilinear(false, texels_around(point, found.terrain));
-    var shores = bilinear(true, texels_around(point, found.water)).xy * texel_metres(point, f32(found.water.level), sin_lat);
+    let terrain = bilinear(false, point, found.terrain);
+    var shores = bilinear(true, point, found.water).xy * texel_metres(point, f32(found.water.level), sin_lat);
     // Without any water tile the sign of the elevation tells sea from land.
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
