@@ -63,9 +63,9 @@ impl Precision {
     }
 }
 
-/// What the pass makes.
+/// What the pass is to make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fields {
+pub enum Wanted {
     /// Everything: what is drawn.
     All,
     /// [`Fft::stretches`] alone, by half the transforms: what foam is made from.
@@ -75,19 +75,19 @@ pub enum Fields {
 /// How a workgroup of the pass is made for patches of `n` samples: (lines, complex fields per exchange). Eight elements per thread;
 /// lines and fields are chosen so that at least 64 threads work together (from 128 samples) and the exchange fits into the
 /// 16,384 bytes of workgroup memory.
-fn workgroup(n: usize, fields: Fields) -> (usize, usize) {
-    match (n, fields) {
-        (..=512, Fields::All) => ((512 / n).clamp(1, n), 4),
-        (..=512, Fields::Stretches) => ((512 / n).clamp(1, n), 2),
+fn workgroup(n: usize, wanted: Wanted) -> (usize, usize) {
+    match (n, wanted) {
+        (..=512, Wanted::All) => ((512 / n).clamp(1, n), 4),
+        (..=512, Wanted::Stretches) => ((512 / n).clamp(1, n), 2),
         (1024, _) => (1, 2),
         _ => (1, 1),
     }
 }
 
 /// The composed shader of patches of `n` samples.
-pub fn source(n: usize, precision: Precision, fields: Fields) -> String {
-    let (lines, exchanged) = workgroup(n, fields);
-    let halves = if fields == Fields::All { 2 } else { 1 };
+pub fn source(n: usize, precision: Precision, wanted: Wanted) -> String {
+    let (lines, exchanged) = workgroup(n, wanted);
+    let halves = if wanted == Wanted::All { 2 } else { 1 };
     let first = [8, 2, 4][n.ilog2() as usize % 3];
     let half = precision == Precision::Half;
     let text = include_str!("../../shaders/fft.wgsl").replace("FORMAT", precision.format().1);
@@ -148,8 +148,8 @@ impl Fft {
         let binds =
             [Bind::Uniform, Bind::Storage, Bind::Storage, Bind::Storage, Bind::StorageWrite, write, write, write];
         let layout = gpu.layout("fft", compute, &binds);
-        let [all, stretches_alone] = [Fields::All, Fields::Stretches]
-            .map(|fields| gpu.compute("fft", &source(n, precision, fields), &[&layout], ["rows", "columns"]));
+        let [all, stretches_alone] = [Wanted::All, Wanted::Stretches]
+            .map(|wanted| gpu.compute("fft", &source(n, precision, wanted), &[&layout], ["rows", "columns"]));
 
         let samples = (n * n) as u64;
         let batches = batches(n, layers, precision, gpu.device.limits().max_storage_buffer_binding_size);
@@ -245,12 +245,12 @@ impl Fft {
 
     /// Two dispatches for the waves of all cascades of a batch.
     pub fn dispatch(&self, pass: &mut wgpu::ComputePass) {
-        self.transform(pass, Fields::All);
+        self.transform(pass, Wanted::All);
     }
 
-    fn transform(&self, pass: &mut wgpu::ComputePass, fields: Fields) {
-        let groups = (self.n / workgroup(self.n, fields).0) as u32;
-        let pipelines = if fields == Fields::All { &self.all } else { &self.stretches_alone };
+    fn transform(&self, pass: &mut wgpu::ComputePass, wanted: Wanted) {
+        let groups = (self.n / workgroup(self.n, wanted).0) as u32;
+        let pipelines = if wanted == Wanted::All { &self.all } else { &self.stretches_alone };
         for batch in &self.batches {
             let patches = batch.patches.end.min(self.cascades.len()).saturating_sub(batch.patches.start) as u32;
             pass.set_bind_group(0, &batch.group, &[]);
@@ -273,7 +273,7 @@ impl Fft {
 
     /// [`Fft::stretches`] alone, with their mips: what foam is made from. The other textures keep what they hold.
     pub fn dispatch_stretches(&self, pass: &mut wgpu::ComputePass) {
-        self.transform(pass, Fields::Stretches);
+        self.transform(pass, Wanted::Stretches);
         self.mips.dispatch_from(pass, 2);
     }
 

@@ -7,7 +7,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
-use ocean_globe::pass::fft::{Fields, Precision};
+use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
@@ -19,12 +19,9 @@ use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
 
 /// Every composed shader with the file that it comes from.
 fn all() -> Vec<(&'static str, String)> {
-    let sizes = (4..=11).flat_map(|log| {
-        let of = move |precision, fields| ("fft.wgsl", fft::source(1 << log, precision, fields));
-        [Fields::All, Fields::Stretches]
-            .into_iter()
-            .flat_map(move |fields| [Precision::Half, Precision::Single].map(|precision| of(precision, fields)))
-    });
+    let kinds = [Precision::Half, Precision::Single].map(|p| [(p, Wanted::All), (p, Wanted::Stretches)]).concat();
+    let transforms =
+        (4..=11).flat_map(|log| kinds.iter().map(move |&(p, wanted)| ("fft.wgsl", fft::source(1 << log, p, wanted))));
     let mut all = vec![
         ("air_table.wgsl", air_table::source()),
         ("backdrop.wgsl", backdrop::source()),
@@ -41,7 +38,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("tonemap.wgsl", tonemap::source()),
     ];
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
-    all.extend(sizes);
+    all.extend(transforms);
     all
 }
 
@@ -170,7 +167,7 @@ fn structs_have_the_same_members_at_the_same_places() {
     let coarseness = std::mem::offset_of!(bisect::State, coarseness) / 4;
     assert_eq!(constant(&ocean::source(Look::default()), "COARSENESS"), coarseness as f64);
     assert_mirror!(
-        fft::source(64, Precision::Half, Fields::All),
+        fft::source(64, Precision::Half, Wanted::All),
         "Evolution",
         fft::Evolution,
         [ticks, cascade_count, sharpened, patches, scales]
