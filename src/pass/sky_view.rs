@@ -9,10 +9,12 @@ use crate::scene::frame::FrameUniform;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Azimuths on one side of the sun, which stands for the other.
 const AZIMUTHS: u32 = 32;
+/// And elevations.
+const ROWS: u32 = 80;
 /// Azimuths × elevations of the sky.
-const SKY: [u32; 2] = [AZIMUTHS, 80];
+const SKY: [u32; 2] = [AZIMUTHS, ROWS];
 /// Azimuths, with two columns for the transmittance, × elevations, two fifths of them above the horizon (`haze_first_above`), × distances.
-const HAZE: [u32; 3] = [AZIMUTHS + 2, 80, 32];
+const HAZE: [u32; 3] = [AZIMUTHS + 2, ROWS, 32];
 
 /// The composed shader.
 pub fn source() -> String {
@@ -85,9 +87,9 @@ impl SkyView {
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, air, &[]);
         pass.set_bind_group(2, &self.written, &[]);
-        for (pipeline, size) in self.pipelines.iter().zip([SKY, [HAZE[0], HAZE[1]]]) {
+        for pipeline in &self.pipelines {
             pass.set_pipeline(pipeline);
-            pass.dispatch_workgroups(size[0].div_ceil(8), size[1].div_ceil(8), 1);
+            pass.dispatch_workgroups(AZIMUTHS.div_ceil(8), ROWS.div_ceil(8), 1);
         }
     }
 }
