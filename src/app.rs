@@ -12,6 +12,7 @@ pub mod in_flight;
 pub mod input;
 pub mod pace;
 pub mod page;
+pub mod pane;
 pub mod readout;
 pub mod stillness;
 
@@ -36,6 +37,7 @@ use address::Address;
 use drawing::{Drawing, Wish};
 use pace::Motion;
 use page::Page;
+use pane::Pane;
 
 /// What the program starts with.
 pub struct Options {
@@ -58,6 +60,7 @@ pub struct App {
     navigator: Navigator,
     flight: Option<(Flight, f64)>,
     panel: Panel,
+    pane: Pane,
     /// When the last frame was, by [`now_s`], while time runs.
     last_frame_s: Option<f64>,
     /// Whether the last frame asked for the next one at once.
@@ -89,7 +92,9 @@ impl App {
         host.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
         host.egui_ctx.set_theme(egui::Theme::Dark);
         host.egui_ctx.set_fonts(fonts::definitions());
+        let pane = Pane::new(&gpu.device, render_state.target_format, panel::ground_colour());
         Ok(Self {
+            pane,
             drawing: Drawing::new(gpu.clone(), renderer, render_state.target_format),
             gpu,
             page,
@@ -271,6 +276,7 @@ impl eframe::App for App {
             progress: self.drawing.renderer.world_mut().progress(),
             now_s: now_unix_s,
             figures,
+            ground: &|rect| self.pane.shape(rect),
         };
         if let Some(action) = self.panel.show(&context, &mut self.state, &status) {
             self.act(&context, action);

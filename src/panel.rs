@@ -8,7 +8,10 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
-use egui::{Align2, ComboBox, Key, Rect, Response, ScrollArea, Slider, Ui, vec2};
+use egui::{
+    Align2, Color32, ComboBox, CornerRadius, Frame, Key, Rect, Response, ScrollArea, Shadow, Shape, Slider, Ui,
+    Visuals, vec2,
+};
 
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
@@ -43,6 +46,13 @@ pub struct Status<'a> {
     pub now_s: f64,
     /// The sea that the settings ask for.
     pub figures: sea::Figures,
+    /// Paints [`ground_colour`] over a rectangle.
+    pub ground: &'a dyn Fn(Rect) -> Shape,
+}
+
+/// The colour that the panel stands on; the picture shows through.
+pub fn ground_colour() -> Color32 {
+    Visuals::dark().window_fill.gamma_multiply(0.9)
 }
 
 /// The panel's own state.
@@ -107,8 +117,10 @@ impl Panel {
         egui::Area::new(egui::Id::unique("panel")).anchor(Align2::RIGHT_TOP, vec2(-6.0, 6.0)).fade_in(false).show(
             context,
             |ui| {
-                let frame = egui::Frame::window(ui.style()).inner_margin(6).shadow(egui::Shadow::NONE);
-                frame.fill(ui.visuals().window_fill.gamma_multiply(0.9)).show(ui, |ui| {
+                let ground = ui.painter().add(Shape::Noop);
+                let frame =
+                    Frame::window(ui.style()).inner_margin(6).shadow(Shadow::NONE).corner_radius(CornerRadius::ZERO);
+                let framed = frame.fill(Color32::TRANSPARENT).show(ui, |ui| {
                     ui.set_width(if self.open { WIDTH } else { 86.0 });
                     ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
                     action = self.header(ui, status);
@@ -121,6 +133,7 @@ impl Panel {
                         scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status)));
                     }
                 });
+                ui.painter().set(ground, (status.ground)(framed.response.rect));
             },
         );
         action

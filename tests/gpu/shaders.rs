@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
+use ocean_globe::app::pane;
 use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
@@ -27,6 +28,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("backdrop.wgsl", backdrop::source()),
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
+        ("pane.wgsl", pane::source(egui::Color32::from_rgb(1, 2, 3), true)),
         ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source(false)),
         ("land.wgsl", land::source(true)),

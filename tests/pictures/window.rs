@@ -42,6 +42,30 @@ fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
 }
 
 #[test]
+fn the_picture_shows_through_the_panels_ground_and_is_itself_beside_it() {
+    let size = [640, 360];
+    let mut window = Window::open(STILL, true, size);
+    window.settle();
+    let with = window.frame(vec![]);
+    let fold = window.widget("fold").expect("a panel");
+    window.key(Key::H);
+    let without = window.frame(vec![]);
+    let ground = ocean_globe::panel::ground_colour().to_array().map(f64::from);
+    let at = |x: f32, y: u32| 4 * (x as usize + (y * size[0]) as usize);
+    for y in 20..300 {
+        // In the margin left of everything in the panel.
+        let inside = at(fold.min.x - 4.0, y);
+        for part in 0..3 {
+            let through = ground[part] + (1.0 - ground[3] / 255.0) * f64::from(without[inside + part]);
+            let seen = f64::from(with[inside + part]);
+            assert!((seen - through).abs() <= 1.0, "row {y}, colour {part}: {seen}, not {through}");
+        }
+        let outside = at(fold.min.x - 12.0, y);
+        assert_eq!(with[outside..outside + 3], without[outside..outside + 3], "row {y} beside the panel");
+    }
+}
+
+#[test]
 fn the_panel_fits_a_small_window_and_its_widgets_work() {
     let odd = "view=35.6812,-14.25,560,186,78&wind=12.345@250&bft=8&chop=0.123&time=2026-11-20T23:59:59.9Z&rate=0";
     let mut window = Window::open(odd, true, [640, 360]);
