@@ -15,23 +15,15 @@ fn east_north_of(point: MapPoint, way: vec2f) -> vec2f {
     return vec2f(dot(way, vec2f(-out.y, out.x)), dot(way, out) * select(1.0, -1.0, point.square == NORTH));
 }
 
-// Slope of the ground at a point, over two texels: metres per metre east and north. Flat on the beach, where the ground is shaped to the
-// shore. From space texels are about as wide as pixels: there the texels right and down of the point do, whose own height is known.
+// Slope of the ground at a point, over one texel: metres per metre east and north. Flat on the beach, where the ground is shaped to the shore.
 fn ground_slope(point: MapPoint, sin_lat: f32, ground: Ground, footprint: Metres) -> vec2f {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let resident = pages_at(point, level_for(point, footprint, cos_lat)).terrain.level;
     let right_step = vec2u(1u << (24u - resident), 0u);
     let down_step = right_step.yx;
     let metres = 2.0 * texel_metres(point, f32(resident), sin_lat);
-    var right = 0.0;
-    var up = 0.0;
-    if FROM_SPACE {
-        right = terrain_at(point, resident, 2u * right_step) - ground.terrain;
-        up = ground.terrain - terrain_at(point, resident, 2u * down_step);
-    } else {
-        right = terrain_at(point, resident, right_step) - terrain_at(point, resident, vec2u(0u) - right_step);
-        up = terrain_at(point, resident, vec2u(0u) - down_step) - terrain_at(point, resident, down_step);
-    }
+    let right = (terrain_at(point, resident, right_step) - terrain_at(point, resident, vec2u(0u) - right_step)) / metres;
+    let up = (terrain_at(point, resident, vec2u(0u) - down_step) - terrain_at(point, resident, down_step)) / metres;
     let shown = select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
-    return shown * east_north_of(point, vec2f(right, up) / metres);
+    return shown * east_north_of(point, vec2f(right, up));
 }

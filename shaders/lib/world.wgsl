@@ -87,7 +87,6 @@ fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
 fn nearest_bed(surface: Metres) -> Metres { return 0.996 * surface - 2.0; }
 
 struct Ground {
-    terrain: Metres,        // the terrain tiles' own elevation
     elevation: Metres,      // of the dry or submarine ground, shaped to agree with the shore
     ocean_shore: Metres,    // signed distance, positive in the ocean
     lake_shore: Metres,     // signed distance, positive in lakes
@@ -123,6 +122,6 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
     }
-    return Ground(terrain.x, shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,
+    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0);
 }
