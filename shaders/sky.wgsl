@@ -1,18 +1,11 @@
 // The sky behind everything: the atmosphere seen from any height, the sun's disc, the faint light of the night.
+#import full_screen
 #import water
 #import output
 
-struct Vertex { @builtin(position) position: vec4f, @location(0) device: vec2f }
-
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> Vertex {
-    let device = vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0;
-    return Vertex(vec4f(device, 0.0, 1.0), device);
-}
-
 @fragment
-fn fragment(in: Vertex) -> @location(0) vec4f {
-    let direction = normalize(frame.ray_forward + in.device.x * frame.ray_right + in.device.y * frame.ray_up);
+fn fragment(corner: Corner) -> @location(0) vec4f {
+    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
     if frame.output != PICTURE { return sky_output(); }
     if frame.under_water == 1u { return vec4f(water_veil() * frame.exposure, 1.0); }
     // Land or sea covers the sky; should a pixel of theirs miss, the clear colour stands there.

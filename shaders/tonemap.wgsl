@@ -1,11 +1,7 @@
 // From scene radiance to display: a filmic curve that keeps hue (K. Narkowicz 2015, ACES fit), then the sRGB transfer function.
+#import full_screen
 
 @group(0) @binding(0) var scene: texture_2d<f32>;
-
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return vec4f(vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0, 0.0, 1.0);
-}
 
 fn filmic(x: vec3f) -> vec3f {
     return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), vec3f(0.0), vec3f(1.0));

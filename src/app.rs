@@ -92,7 +92,7 @@ impl App {
         host.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
         host.egui_ctx.set_theme(egui::Theme::Dark);
         host.egui_ctx.set_fonts(fonts::definitions());
-        let pane = Pane::new(&gpu.device, render_state.target_format, panel::ground_colour());
+        let pane = Pane::new(&gpu, render_state.target_format, panel::ground_colour());
         Ok(Self {
             pane,
             drawing: Drawing::new(gpu.clone(), renderer, render_state.target_format),
@@ -276,9 +276,8 @@ impl eframe::App for App {
             progress: self.drawing.renderer.world_mut().progress(),
             now_s: now_unix_s,
             figures,
-            ground: &|rect| self.pane.shape(rect),
         };
-        if let Some(action) = self.panel.show(&context, &mut self.state, &status) {
+        if let Some(action) = self.panel.show(&context, &mut self.state, &status, &|rect| self.pane.shape(rect)) {
             self.act(&context, action);
         }
         let waits = if self.flight.is_some() { None } else { self.address.write(&mut *self.page, &self.state, now) };

@@ -46,8 +46,6 @@ pub struct Status<'a> {
     pub now_s: f64,
     /// The sea that the settings ask for.
     pub figures: sea::Figures,
-    /// Paints [`ground_colour`] over a rectangle.
-    pub ground: &'a dyn Fn(Rect) -> Shape,
 }
 
 /// The colour that the panel stands on; the picture shows through.
@@ -99,8 +97,14 @@ impl Panel {
         json + "}"
     }
 
-    /// Shows the panel and applies what the user does with it.
-    pub fn show(&mut self, context: &egui::Context, state: &mut ViewState, status: &Status<'_>) -> Option<Action> {
+    /// Shows the panel and applies what the user does with it; `ground` paints [`ground_colour`] over a rectangle.
+    pub fn show(
+        &mut self,
+        context: &egui::Context,
+        state: &mut ViewState,
+        status: &Status<'_>,
+        ground: &dyn Fn(Rect) -> Shape,
+    ) -> Option<Action> {
         if !context.egui_wants_keyboard_input() {
             let [hide, pause] = [Key::H, Key::Space].map(|key| context.input(|input| input.key_pressed(key)));
             self.shown ^= hide;
@@ -117,7 +121,7 @@ impl Panel {
         egui::Area::new(egui::Id::unique("panel")).anchor(Align2::RIGHT_TOP, vec2(-6.0, 6.0)).fade_in(false).show(
             context,
             |ui| {
-                let ground = ui.painter().add(Shape::Noop);
+                let behind = ui.painter().add(Shape::Noop);
                 let frame =
                     Frame::window(ui.style()).inner_margin(6).shadow(Shadow::NONE).corner_radius(CornerRadius::ZERO);
                 let framed = frame.fill(Color32::TRANSPARENT).show(ui, |ui| {
@@ -133,7 +137,7 @@ impl Panel {
                         scroll.show(ui, |ui| action = action.take().or(self.body(ui, state, status)));
                     }
                 });
-                ui.painter().set(ground, (status.ground)(framed.response.rect));
+                ui.painter().set(behind, ground(framed.response.rect));
             },
         );
         action

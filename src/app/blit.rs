@@ -7,9 +7,13 @@ use std::sync::Arc;
 
 use egui_wgpu::{CallbackResources, CallbackTrait, wgpu};
 
+use crate::gpu::pipeline::{Bind, Drawing};
+use crate::gpu::texture::{self, Shape};
+use crate::gpu::{Gpu, shader};
+
 /// The copying pipeline and the texture it copies from.
 pub struct Picture {
-    pipeline: Arc<wgpu::RenderPipeline>,
+    pipeline: Drawing,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
     texture: wgpu::Texture,
@@ -21,69 +25,23 @@ pub struct Picture {
 /// Format of the picture: gamma-encoded, 8 bits, no conversion on writing or reading.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
+/// The composed shader for a target that gamma-encodes what it is given, or takes encoded values as they are.
+pub fn source(target_encodes: bool) -> String {
+    let definitions = format!("const TARGET_ENCODES = {target_encodes};");
+    shader::composed(include_str!("../../shaders/blit.wgsl"), &definitions)
+}
+
 impl Picture {
     /// A picture of one pixel, to be copied onto a target of egui's format.
-    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat) -> Self {
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("blit"),
-            source: wgpu::ShaderSource::Wgsl(include_str!("../../shaders/blit.wgsl").into()),
-        });
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("blit"),
-            entries: &[
-                wgpu::BindGroupLayoutEntry {
-                    binding: 0,
-                    visibility: wgpu::ShaderStages::FRAGMENT,
-                    ty: wgpu::BindingType::Texture {
-                        sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                        view_dimension: wgpu::TextureViewDimension::D2,
-                        multisampled: false,
-                    },
-                    count: None,
-                },
-                wgpu::BindGroupLayoutEntry {
-                    binding: 1,
-                    visibility: wgpu::ShaderStages::FRAGMENT,
-                    ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-                    count: None,
-                },
-            ],
-        });
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("blit"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
+        let binds = [Bind::Texture(wgpu::TextureViewDimension::D2), Bind::Sampler];
+        let layout = gpu.layout("blit", wgpu::ShaderStages::FRAGMENT, &binds);
+        let sampler = gpu.sampler("blit", wgpu::AddressMode::ClampToEdge);
         // egui prefers a target that takes gamma-encoded values as they are; an sRGB one encodes what it is given.
-        let entry = if target_format.is_srgb() { "copy_decoded" } else { "copy" };
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("blit"),
-            layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("blit"),
-                bind_group_layouts: &[Some(&layout)],
-                immediate_size: 0,
-            })),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("whole_screen"),
-                compilation_options: Default::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some(entry),
-                compilation_options: Default::default(),
-                targets: &[Some(target_format.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-        let (texture, view, group) = make(device, &layout, &sampler, [1, 1]);
-        Self { pipeline: Arc::new(pipeline), layout, sampler, texture, view, group }
+        let source = source(target_format.is_srgb());
+        let pipeline = gpu.drawing("blit", (&source, "vertex"), &[&layout], &[], target_format, None);
+        let (texture, view, group) = make(gpu, &layout, &sampler, [1, 1]);
+        Self { pipeline, layout, sampler, texture, view, group }
     }
 
     /// Width and height in physical pixels.
@@ -92,9 +50,9 @@ impl Picture {
     }
 
     /// Makes the picture another size; its contents are lost.
-    pub fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
+    pub fn resize(&mut self, gpu: &Gpu, size: [u32; 2]) {
         if size != self.size() {
-            (self.texture, self.view, self.group) = make(device, &self.layout, &self.sampler, size);
+            (self.texture, self.view, self.group) = make(gpu, &self.layout, &self.sampler, size);
         }
     }
 
@@ -105,35 +63,21 @@ impl Picture {
 }
 
 fn make(
-    device: &wgpu::Device,
+    gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     sampler: &wgpu::Sampler,
     [width, height]: [u32; 2],
 ) -> (wgpu::Texture, wgpu::TextureView, Arc<wgpu::BindGroup>) {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("picture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("blit"),
-        layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(sampler) },
-        ],
-    });
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+    let texture = gpu.texture("picture", Shape::picture(width, height), FORMAT, usage);
+    let view = texture::view(&texture);
+    let resources = [wgpu::BindingResource::TextureView(&view), wgpu::BindingResource::Sampler(sampler)];
+    let group = gpu.bind("blit", layout, &resources);
     (texture, view, Arc::new(group))
 }
 
 struct Copy {
-    pipeline: Arc<wgpu::RenderPipeline>,
+    pipeline: Drawing,
     group: Arc<wgpu::BindGroup>,
 }
 

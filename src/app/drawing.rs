@@ -79,7 +79,7 @@ impl Drawing {
     pub fn new(gpu: Gpu, mut renderer: Renderer, target_format: wgpu::TextureFormat) -> Self {
         renderer.seas_mut().spread();
         Self {
-            picture: Picture::new(&gpu.device, target_format),
+            picture: Picture::new(&gpu, target_format),
             pace: Pace::new(if gpu.software { Adapter::Software } else { Adapter::Hardware }),
             gpu,
             renderer,
@@ -193,7 +193,7 @@ impl Drawing {
         let mut frame = self.renderer.frame(settings, &wanted.camera, wanted.unix_seconds, size);
         frame.uniform.cell_pixels = frame.uniform.cell_pixels.max(wanted.effort.cell_pixels as f32);
         self.longest_wave_m = perlin::wavelength_m(frame.sea.perlin.patch_m, 0);
-        self.picture.resize(&self.gpu.device, size);
+        self.picture.resize(&self.gpu, size);
         let label = wgpu::CommandEncoderDescriptor { label: Some("scene") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
         self.renderer.render(&mut encoder, &frame, &self.picture.view);

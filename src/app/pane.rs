@@ -1,59 +1,37 @@
 //! The panel's ground: one colour over a rectangle of the window.
 //!
-//! egui's own shader reads a texture and converts colours for each pixel, which a processor that stands in for a graphics card feels: of a
-//! picture in a drag it took a seventh. This one does nothing.
-
-use std::sync::Arc;
+//! egui's own shader reads a texture and converts colours for each pixel. A processor that stands in for a graphics card feels that: it
+//! took four hundredths of a picture in a drag. This one does nothing.
 
 use egui::{Color32, Rect, Rgba, Shape};
 use egui_wgpu::{CallbackResources, CallbackTrait, wgpu};
 
+use crate::gpu::pipeline::Drawing;
+use crate::gpu::{Gpu, shader};
+
 /// What paints it.
 pub struct Pane {
-    pipeline: Arc<wgpu::RenderPipeline>,
+    pipeline: Drawing,
 }
 
-/// The composed shader of a colour on a target that takes gamma-encoded values as they are, or encodes them itself (`is_srgb`).
-pub fn source(colour: Color32, is_srgb: bool) -> String {
-    let [r, g, b, a] =
-        if is_srgb { Rgba::from(colour).to_array() } else { colour.to_array().map(|part| f32::from(part) / 255.0) };
-    let text = include_str!("../../shaders/pane.wgsl");
-    format!("const COLOUR = vec4f({r:?}, {g:?}, {b:?}, {a:?});\n{text}")
+/// The composed shader of a colour on a target that gamma-encodes what it is given, or takes encoded values as they are.
+pub fn source(colour: Color32, target_encodes: bool) -> String {
+    let [r, g, b, a] = if target_encodes {
+        Rgba::from(colour).to_array()
+    } else {
+        colour.to_array().map(|part| f32::from(part) / 255.0)
+    };
+    let definitions = format!("const COLOUR = vec4f({r:?}, {g:?}, {b:?}, {a:?});");
+    shader::composed(include_str!("../../shaders/pane.wgsl"), &definitions)
 }
 
 impl Pane {
     /// A pane of one colour on targets of a format.
-    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, colour: Color32) -> Self {
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("pane"),
-            source: wgpu::ShaderSource::Wgsl(source(colour, target_format.is_srgb()).into()),
-        });
-        let target = wgpu::ColorTargetState {
-            blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-            ..target_format.into()
-        };
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("pane"),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("whole_viewport"),
-                compilation_options: Default::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fill"),
-                compilation_options: Default::default(),
-                targets: &[Some(target)],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-        Self { pipeline: Arc::new(pipeline) }
+    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, colour: Color32) -> Self {
+        let source = source(colour, target_format.is_srgb());
+        let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        let target = wgpu::ColorTargetState { blend, ..target_format.into() };
+        Self { pipeline: gpu.drawing("pane", (&source, "vertex"), &[], &[], target, None) }
     }
 
     /// What egui paints: the colour over `rect`, points.
@@ -63,7 +41,7 @@ impl Pane {
 }
 
 struct Fill {
-    pipeline: Arc<wgpu::RenderPipeline>,
+    pipeline: Drawing,
 }
 
 impl CallbackTrait for Fill {

@@ -175,24 +175,25 @@ impl Gpu {
         })
     }
 
-    /// A drawing pipeline from a source with its entry for vertices, and `fragment`, and the format and the test of the depth
-    /// where there is one.
+    /// A drawing pipeline from a source with its entry for vertices, and `fragment`, into a target's format, with a blend or without, and
+    /// through the format and the test of the depth where there is one.
     pub fn drawing(
         &self,
         label: &str,
         (source, vertex): (&str, &str),
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
-        target: wgpu::TextureFormat,
+        target: impl Into<wgpu::ColorTargetState>,
         depth: Option<(wgpu::TextureFormat, DepthTest)>,
     ) -> Drawing {
+        let target = target.into();
         let module = self.module(label, source);
         let layout = self.pipeline_layout(label, groups);
         // Lent attributes become owned ones, since they are needed later.
         let buffers: Vec<_> = buffers.iter().map(|b| (b.array_stride, b.step_mode, b.attributes.to_vec())).collect();
         let (device, name, entry) = (self.device.clone(), label.to_owned(), vertex.to_owned());
         let compiled = self.made.compiled.clone();
-        once(&self.made.drawing, (label, source, vertex, target, depth), move || {
+        once(&self.made.drawing, (label, source, vertex, target.clone(), depth), move || {
             compiled.fetch_add(1, Relaxed);
             let buffers: Vec<_> = buffers
                 .iter()
@@ -225,7 +226,7 @@ impl Gpu {
                     module: &module,
                     entry_point: Some("fragment"),
                     compilation_options: Default::default(),
-                    targets: &[Some(target.into())],
+                    targets: &[Some(target)],
                 }),
                 multiview_mask: None,
                 cache: None,

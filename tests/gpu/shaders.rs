@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use ocean_globe::app::pane;
+use ocean_globe::app::{blit, pane};
 use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
+use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
@@ -27,8 +28,9 @@ fn all() -> Vec<(&'static str, String)> {
         ("air_table.wgsl", air_table::source()),
         ("backdrop.wgsl", backdrop::source()),
         ("bisect.wgsl", bisect::source()),
-        ("blit.wgsl", include_str!("../../shaders/blit.wgsl").to_owned()),
-        ("pane.wgsl", pane::source(egui::Color32::from_rgb(1, 2, 3), true)),
+        ("blit.wgsl", blit::source(false)),
+        ("blit.wgsl", blit::source(true)),
+        ("pane.wgsl", pane::source(panel::ground_colour(), false)),
         ("foam.wgsl", foam::source()),
         ("land.wgsl", land::source(false)),
         ("land.wgsl", land::source(true)),
