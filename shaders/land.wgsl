@@ -1,6 +1,6 @@
 // Dry land, lakes and the sea bed, shaded by height, slope and latitude: one grid per map tile, placed exactly relative to the eye; or,
-// `FROM_SPACE` (known when it is compiled), where no summit stands as high as a pixel is wide, the ellipsoid itself, which the pixels' own
-// rays meet.
+// `FROM_SPACE`, where no summit stands as high as a pixel is wide, the ellipsoid itself, which the pixels' own
+// rays meet. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs.
 #import world
 #import water
 #import output
@@ -104,9 +104,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             return vec4f(0.0);
         }
     }
-    let seen_from_air = frame.under_water == 0u;
     let shows_sea = (frame.layers & SHOWS_SEA) != 0u;
-    if at.ground.is_ocean && shows_sea && seen_from_air && !by_ray && !hides_sea(at.distance, far_hit) {
+    if at.ground.is_ocean && shows_sea && !UNDER_WATER && !by_ray && !hides_sea(at.distance, far_hit) {
         // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
         let surface = place_on_ellipsoid(direction, far_hit);
         if !surface.ground.is_ocean { at = surface; }
@@ -117,11 +116,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = distance * frame.pixel_angle / sqrt(max(abs(dot(direction, up)), 0.05));
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
-    if ground.is_ocean && shows_sea && seen_from_air && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+    if ground.is_ocean && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         // Coarse triangles slope down from a hill to the bed in front of the sea: what stands there is water.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
-        if frame.output == PICTURE {
+        if !MEASURED {
             // On the limb the sea's own rays decide, and the sky is what they may miss.
             if FROM_SPACE && !is_inside_limb(ray) { discard; }
             return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
@@ -148,7 +147,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lake = water_radiance(WaterPoint(-direction, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0), daylight);
         radiance = mix(radiance, lake, shore);
     }
-    if frame.under_water == 1u {
+    if UNDER_WATER {
         // Less of the sun reaches the deep bed.
         let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
@@ -156,6 +155,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let air = haze(direction, distance);
         radiance = radiance * air.transmittance + air.radiance;
     }
+    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);
     let rest = surface_from_normal_delta(at.dn);
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, normal, water_class, 0.0), radiance);

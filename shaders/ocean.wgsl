@@ -1,7 +1,6 @@
 // The sea: either mesh, moved by the waves along the ellipsoid's normal, shaded over what the land pass left. The water class
-// decides what is sea, never the depth buffer. Which picture it is part of is known when it is compiled (`Look` in src/pass/ocean.rs):
-// `MEASURED` where pixels report a layer, `UNDER_WATER` where the eye is in the sea; and what of the sea shows at all: `WAVES` of the
-// patches, the far sea's `NOISE`, `FOAM` as more than a share.
+// decides what is sea, never the depth buffer. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs; what of the sea shows at all
+// is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share.
 #import projected_grid
 #import bisected_mesh
 #import world

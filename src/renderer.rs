@@ -9,6 +9,7 @@ use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
 use crate::pass::frame_group::FrameGroup;
+use crate::pass::kind::Kind;
 use crate::pass::land::Land;
 use crate::pass::ocean::{Look, Ocean};
 use crate::pass::sky::Sky;
@@ -187,7 +188,7 @@ impl Renderer {
         self.load(frame);
         self.fit(frame.size);
         self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
-        self.upload(frame);
+        let kind = self.upload(frame);
         let frame_group = &self.frame_group.group;
         let still = usize::from(!self.moving);
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
@@ -195,7 +196,8 @@ impl Renderer {
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
         let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
-        self.ocean.prepare(&self.gpu, mesh, Look::of(frame));
+        let look = Look::of(frame, kind);
+        self.ocean.prepare(&self.gpu, mesh, look);
         match &self.visible {
             // Coarse tiles are far ones.
             Some(tiles) => self.land.set_tiles(&self.gpu, tiles.iter().rev()),
@@ -226,17 +228,17 @@ impl Renderer {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, frame_group, surface);
+                self.land.draw(&mut pass, kind, frame_group, surface);
             }
             if layers & SHOWS_SKY != 0 {
-                self.sky.draw(&mut pass, frame_group, surface);
+                self.sky.draw(&mut pass, kind, frame_group, surface);
             }
         }
         {
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", &texture::view(&targets.radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
-                self.ocean.draw(&mut pass, frame, frame_group, surface, self.mesh.drawn());
+                self.ocean.draw(&mut pass, (frame, look), frame_group, surface, self.mesh.drawn());
             }
             self.backdrop.draw(&mut pass);
         }
@@ -244,12 +246,14 @@ impl Renderer {
         self.tonemap.draw(&mut pass);
     }
 
-    /// Hands the frame to the GPU.
-    fn upload(&mut self, frame: &Frame) {
+    /// Hands the frame to the GPU. Returns what kind of picture it is.
+    fn upload(&mut self, frame: &Frame) -> Kind {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
         let over_ocean = self.world.sample_resident(lat, lon).is_some_and(|place| place.depth_m.is_some());
+        let kind = Kind::of(frame, over_ocean);
         let deepest = self.streaming.pages.deepest();
-        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, over_ocean);
+        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, kind.under_water);
+        kind
     }
 
     /// Makes the textures of the picture's size.

@@ -36,7 +36,7 @@ impl Picture {
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
         let binds = [Bind::Texture(wgpu::TextureViewDimension::D2), Bind::Sampler];
         let layout = gpu.layout("blit", wgpu::ShaderStages::FRAGMENT, &binds);
-        let sampler = gpu.sampler("blit", wgpu::AddressMode::ClampToEdge);
+        let sampler = gpu.sampler("blit", wgpu::AddressMode::ClampToEdge, wgpu::MipmapFilterMode::Nearest);
         // egui prefers a target that takes gamma-encoded values as they are; an sRGB one encodes what it is given.
         let source = source(target_format.is_srgb());
         let pipeline = gpu.drawing("blit", (&source, "vertex"), &[&layout], &[], target_format, None);

@@ -257,8 +257,9 @@ impl Gpu {
         })
     }
 
-    /// A sampler that filters linearly, mip levels included.
-    pub fn sampler(&self, label: &str, address: wgpu::AddressMode) -> wgpu::Sampler {
+    /// A sampler that filters linearly. Between mip levels it does so only if told: a software rasteriser samples twice for it, even
+    /// where there is but one level.
+    pub fn sampler(&self, label: &str, address: wgpu::AddressMode, mips: wgpu::MipmapFilterMode) -> wgpu::Sampler {
         self.device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some(label),
             address_mode_u: address,
@@ -266,7 +267,7 @@ impl Gpu {
             address_mode_w: address,
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            mipmap_filter: mips,
             ..Default::default()
         })
     }

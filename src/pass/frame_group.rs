@@ -41,8 +41,9 @@ impl FrameGroup {
         let block_group = gpu.bind("frame block", &block_layout, &[uniform.as_entire_binding()]);
         let wave_cells =
             gpu.empty_buffer("wave_cells", B::UNIFORM | B::COPY_DST, (size_of::<WaveCell>() * MAX_CELLS) as u64);
-        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
+        // Tables have one level, patches of waves all theirs.
+        let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge, wgpu::MipmapFilterMode::Nearest);
+        let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat, wgpu::MipmapFilterMode::Linear);
         let group = gpu.bind(
             "frame",
             &layout,
@@ -60,14 +61,14 @@ impl FrameGroup {
     }
 
     /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
-    /// of the maps' page tables ([`PageTable::deepest`]), and whether there is ocean at the eye's place.
+    /// of the maps' page tables ([`PageTable::deepest`]), and whether the eye is in the sea.
     ///
     /// [`PageTable::deepest`]: crate::data::streaming::PageTable::deepest
-    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, deepest_pages: u32, over_ocean: bool) {
+    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, deepest_pages: u32, under_water: bool) {
         let uniform = FrameUniform {
             terrain_resolution: terrain_resolution_m as f32,
             deepest_pages,
-            under_water: frame.uniform.under_water & u32::from(over_ocean),
+            under_water: u32::from(under_water),
             ..frame.uniform
         };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));

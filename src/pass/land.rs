@@ -1,8 +1,11 @@
 //! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw; from space one triangle over
 //! the picture, whose pixels find their places themselves.
 
+use std::collections::HashMap;
+
 use bytemuck::{Pod, Zeroable};
 
+use super::kind::Kind;
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{DepthTest, Drawing};
@@ -21,15 +24,16 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader, for a ground that is seen from space or for one of tiles.
-pub fn source(from_space: bool) -> String {
-    shader::composed(include_str!("../../shaders/land.wgsl"), &format!("const FROM_SPACE: bool = {from_space};\n"))
+/// The composed shader of a kind of picture, for a ground that is seen from space or for one of tiles.
+pub fn source(kind: Kind, from_space: bool) -> String {
+    let definitions = kind.definitions() + &format!("const FROM_SPACE: bool = {from_space};\n");
+    shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
 }
 
 /// The pass.
 pub struct Land {
-    of_tiles: Drawing,
-    from_space: Drawing,
+    /// By the picture's kind, and whether it is one from space.
+    pipelines: HashMap<(Kind, bool), Drawing>,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
@@ -65,15 +69,17 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let pipeline = |from_space, vertex, buffers: &[_]| {
+        let pipeline = |kind, from_space| {
+            let (vertex, buffers): (_, &[_]) =
+                if from_space { ("vertex_of_picture", &[]) } else { ("vertex_of_tile", &buffers) };
             let depth = Some((depth, DepthTest::Nearest));
-            gpu.drawing("land", (&source(from_space), vertex), &[frame, surface], buffers, colour, depth)
+            gpu.drawing("land", (&source(kind, from_space), vertex), &[frame, surface], buffers, colour, depth)
         };
+        let all = Kind::all().flat_map(|kind| [false, true].map(|from_space| (kind, from_space)));
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            of_tiles: pipeline(false, "vertex_of_tile", &buffers),
-            from_space: pipeline(true, "vertex_of_picture", &[]),
+            pipelines: all.map(|(kind, from_space)| ((kind, from_space), pipeline(kind, from_space))).collect(),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
@@ -102,8 +108,8 @@ impl Land {
     }
 
     /// One draw.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(if self.count.is_some() { &self.of_tiles } else { &self.from_space });
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
+        pass.set_pipeline(&self.pipelines[&(kind, self.count.is_none())]);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         let Some(count) = self.count else { return pass.draw(0..3, 0..1) };

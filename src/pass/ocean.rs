@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::kind::Kind;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
@@ -9,14 +10,11 @@ use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
-/// What the shader knows of a picture when it is compiled, so that no pixel pays for another kind of picture: software rasterisers
-/// run both sides of every branch.
+/// What the shader knows of a picture when it is compiled: its kind, and what of the sea shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Look {
-    /// Pixels report a measured layer.
-    pub measured: bool,
-    /// The eye is in the sea.
-    pub under_water: bool,
+    /// The picture's.
+    pub kind: Kind,
     /// Some of the wave patches show.
     pub waves: bool,
     /// The far sea's noise shows.
@@ -28,30 +26,25 @@ pub struct Look {
 impl Look {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..32).map(|bits: u8| {
-            let [measured, under_water, waves, noise, foam] = [1, 2, 4, 8, 16].map(|bit| bits & bit != 0);
-            Self { measured, under_water, waves, noise, foam }
+        Kind::all().flat_map(|kind| {
+            (0..8).map(move |bits: u8| {
+                let [waves, noise, foam] = [1, 2, 4].map(|bit| bits & bit != 0);
+                Self { kind, waves, noise, foam }
+            })
         })
     }
 
-    /// That of a frame.
-    pub fn of(frame: &Frame) -> Self {
-        Self {
-            measured: frame.uniform.output != 0,
-            under_water: frame.uniform.under_water != 0,
-            waves: frame.has_waves(),
-            noise: frame.has_noise(),
-            foam: frame.has_foam(),
-        }
+    /// That of a frame of some kind.
+    pub fn of(frame: &Frame, kind: Kind) -> Self {
+        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam() }
     }
 }
 
 /// The composed shader.
-pub fn source(Look { measured, under_water, waves, noise, foam }: Look) -> String {
-    let look =
-        [("MEASURED", measured), ("UNDER_WATER", under_water), ("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
-    let look = look.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
-    shader::composed(include_str!("../../shaders/ocean.wgsl"), &look)
+pub fn source(Look { kind, waves, noise, foam }: Look) -> String {
+    let shown = [("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
+    let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
+    shader::composed(include_str!("../../shaders/ocean.wgsl"), &(kind.definitions() + &shown))
 }
 
 /// The pass.
@@ -186,13 +179,13 @@ impl Ocean {
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
-        frame: &Frame,
+        (frame, look): (&Frame, Look),
         frame_group: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
     ) {
         let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
-        let Some(pipeline) = self.pipelines.get(&(mesh, Look::of(frame))) else { return };
+        let Some(pipeline) = self.pipelines.get(&(mesh, look)) else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, surface, &[]);

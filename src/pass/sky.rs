@@ -1,16 +1,19 @@
 //! The sky behind everything, drawn where nothing else has been.
 
+use std::collections::HashMap;
+
+use super::kind::Kind;
 use crate::gpu::pipeline::{DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 
-/// The composed shader.
-pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/sky.wgsl"), "")
+/// The composed shader of a kind of picture.
+pub fn source(kind: Kind) -> String {
+    shader::composed(include_str!("../../shaders/sky.wgsl"), &kind.definitions())
 }
 
 /// The pass.
 pub struct Sky {
-    pipeline: Drawing,
+    pipelines: HashMap<Kind, Drawing>,
 }
 
 impl Sky {
@@ -22,12 +25,13 @@ impl Sky {
         [colour, depth]: [wgpu::TextureFormat; 2],
     ) -> Self {
         let depth = Some((depth, DepthTest::Undrawn));
-        Self { pipeline: gpu.drawing("sky", (&source(), "vertex"), &[frame, surface], &[], colour, depth) }
+        let pipeline = |kind| gpu.drawing("sky", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
+        Self { pipelines: Kind::all().map(|kind| (kind, pipeline(kind))).collect() }
     }
 
     /// One triangle over the picture.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipeline);
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
+        pass.set_pipeline(&self.pipelines[&kind]);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         pass.draw(0..3, 0..1);

@@ -65,8 +65,8 @@ pub fn frame_group(
     wave_cells: &[WaveCell],
 ) -> wgpu::BindGroup {
     let wave_cells = gpu.buffer("wave_cells", wgpu::BufferUsages::UNIFORM, bytemuck::cast_slice(wave_cells));
-    let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge);
-    let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat);
+    let clamped = gpu.sampler("clamped", wgpu::AddressMode::ClampToEdge, wgpu::MipmapFilterMode::Nearest);
+    let repeated = gpu.sampler("repeated", wgpu::AddressMode::Repeat, wgpu::MipmapFilterMode::Linear);
     gpu.bind(
         "frame",
         layout,

@@ -10,6 +10,7 @@ use ocean_globe::gpu::{mips, shader};
 use ocean_globe::model::{optics, wave_domain};
 use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
+use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
@@ -32,15 +33,16 @@ fn all() -> Vec<(&'static str, String)> {
         ("blit.wgsl", blit::source(true)),
         ("pane.wgsl", pane::source(panel::ground_colour(), false)),
         ("foam.wgsl", foam::source()),
-        ("land.wgsl", land::source(false)),
-        ("land.wgsl", land::source(true)),
         ("mips.wgsl", mips::source("rgba16float")),
         ("perlin.wgsl", perlin::source()),
-        ("sky.wgsl", sky::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("sky_view.wgsl", sky_view::source()),
         ("tonemap.wgsl", tonemap::source()),
     ];
+    for kind in Kind::all() {
+        all.extend([false, true].map(|from_space| ("land.wgsl", land::source(kind, from_space))));
+        all.push(("sky.wgsl", sky::source(kind)));
+    }
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
     all.extend(transforms);
     all
@@ -210,7 +212,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(false);
+    let land = land::source(Kind::default(), false);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);
