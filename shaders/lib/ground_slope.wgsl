@@ -1,12 +1,6 @@
 // How steep the ground is, by the terrain tile that is at hand.
 #import world
 
-// The terrain tiles' own elevation beside a point.
-fn terrain_at(point: MapPoint, level: u32, step: vec2u) -> Metres {
-    let beside = MapPoint(point.square, point.at + step);
-    return bilinear(false, beside, pages_at(beside, level).terrain).x;
-}
-
 // A direction on the map, right and up, as east and north: the same on Mercator's square, on a polar one turned with the longitude.
 fn east_north_of(point: MapPoint, way: vec2f) -> vec2f {
     if point.square == MERCATOR { return way; }
@@ -15,15 +9,39 @@ fn east_north_of(point: MapPoint, way: vec2f) -> vec2f {
     return vec2f(dot(way, vec2f(-out.y, out.x)), dot(way, out) * select(1.0, -1.0, point.square == NORTH));
 }
 
-// Slope of the ground at a point, over one texel: metres per metre east and north. Flat on the beach, where the ground is shaped to the shore.
+// Weights of three neighbouring texels in a quadratic B-spline, `t` from -1/2 to 1/2 off the middle one, and their derivatives.
+fn spline(t: f32) -> vec3f { return vec3f(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)); }
+fn spline_rise(t: f32) -> vec3f { return vec3f(t - 0.5, -2.0 * t, t + 0.5); }
+
+// Elevations of three texels of a row.
+fn terrain_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, page: Page) -> vec3f {
+    return vec3f(texel(false, square, level, vec2u(columns.x, row), tile, page).x,
+        texel(false, square, level, vec2u(columns.y, row), tile, page).x,
+        texel(false, square, level, vec2u(columns.z, row), tile, page).x);
+}
+
+// Rise of the terrain tiles' elevation right and down on the map, metres a texel of the page: that of a quadratic B-spline over them, which
+// has no creases.
+fn terrain_rise(point: MapPoint, page: Page) -> vec2f {
+    let shift = 24u - page.level;
+    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
+    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
+    let middle = point.at >> vec2u(shift);
+    let first = (middle - 1u) & mask;
+    let last = (middle + 1u) & mask;
+    let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
+    let columns = vec3u(first.x, middle.x, last.x);
+    let rows = mat3x3f(terrain_row(point.square, page.level, columns, first.y, tile, page),
+        terrain_row(point.square, page.level, columns, middle.y, tile, page),
+        terrain_row(point.square, page.level, columns, last.y, tile, page));
+    return vec2f(dot(spline_rise(t.x) * rows, spline(t.y)), dot(spline(t.x) * rows, spline_rise(t.y)));
+}
+
+// Slope of the ground at a point: metres per metre east and north. Flat on the beach, where the ground is shaped to the shore.
 fn ground_slope(point: MapPoint, sin_lat: f32, ground: Ground, footprint: Metres) -> vec2f {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let resident = pages_at(point, level_for(point, footprint, cos_lat)).terrain.level;
-    let right_step = vec2u(1u << (24u - resident), 0u);
-    let down_step = right_step.yx;
-    let metres = 2.0 * texel_metres(point, f32(resident), sin_lat);
-    let right = (terrain_at(point, resident, right_step) - terrain_at(point, resident, vec2u(0u) - right_step)) / metres;
-    let up = (terrain_at(point, resident, vec2u(0u) - down_step) - terrain_at(point, resident, down_step)) / metres;
+    let page = pages_at(point, level_for(point, footprint, cos_lat)).terrain;
+    let rise = terrain_rise(point, page) * vec2f(1.0, -1.0) / texel_metres(point, f32(page.level), sin_lat);
     let shown = select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
-    return shown * east_north_of(point, vec2f(right, up));
+    return shown * east_north_of(point, rise);
 }
