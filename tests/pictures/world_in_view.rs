@@ -122,6 +122,25 @@ fn the_eye_stays_over_the_ground_and_the_waves() {
     assert!((-8_000.0..-2_000.0).contains(&bed), "{bed}");
 }
 
+/// By the shore of the Dead Sea, 400 m under the ocean's level: no water is there to look through.
+#[test]
+fn an_eye_in_a_dry_depression_is_in_the_air() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut light = |altitude_m: f64, tilt_deg: f64| {
+        let state =
+            render::parse_state(&format!("#view=31.5,35.45,{altitude_m},0,{tilt_deg}&time=2026-06-21T08:00:00Z"))
+                .unwrap();
+        let seen = render::measure(&mut renderer, &state, [64, 36], LayerName::Luminance).unwrap().values;
+        seen.iter().sum::<f64>() / seen.len() as f64
+    };
+    // Land and sky. The air of 300 m more is a thirtieth of all.
+    for tilt_deg in [0.0, 130.0] {
+        let (below, above) = (light(-300.0, tilt_deg), light(5.0, tilt_deg));
+        println!("tilted by {tilt_deg}: {below:.4} below the ocean's level, {above:.4} above it");
+        assert!((below / above - 1.0).abs() < 0.1, "tilted by {tilt_deg}: {below}, {above}");
+    }
+}
+
 #[test]
 fn a_view_that_wants_more_tiles_than_there_is_room_for_comes_to_rest() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
