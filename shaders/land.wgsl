@@ -1,11 +1,7 @@
-// Dry land, lakes and the sea bed, shaded by height, slope and latitude: one grid per map tile, placed exactly relative to the eye; or,
-// `FROM_SPACE`, where no summit stands as high as a pixel is wide, the ellipsoid itself, which the pixels' own
-// rays meet. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs.
-#import world
-#import water
+// Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED` and `UNDER_WATER` are of
+// src/pass/kind.rs.
+#import ground
 #import output
-#import ground_colour
-#import ground_slope
 
 struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
 
@@ -17,8 +13,6 @@ struct Vertex {
 }
 
 const GRID: f32 = 16.0;
-const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
-const FARTHEST: f32 = 1e-12;     // depth; reversed, the sky's is 0
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
@@ -32,7 +26,7 @@ fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
 }
 
 @vertex
-fn vertex_of_tile(in: Tile) -> Vertex {
+fn vertex(in: Tile) -> Vertex {
     let tile = vec4u(in.square_level, in.tile);
     let inside = clamp(in.grid, vec2f(0.0), vec2f(GRID)) / GRID;
     let point = tile_point(tile, inside);
@@ -49,14 +43,6 @@ fn vertex_of_tile(in: Tile) -> Vertex {
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = surface_from_normal_delta(dn) + up * height;
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
-}
-
-// One triangle over the picture; its depth is behind everything but the sky.
-@vertex
-fn vertex_of_picture(@builtin(vertex_index) index: u32) -> Vertex {
-    let device = vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0;
-    let local = frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up;
-    return Vertex(vec4f(device, FARTHEST, 1.0), local, vec2f(0.0), vec4u(0u));
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -85,13 +71,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let direction = in.local / max(triangle_distance, 1e-3);
     let ray = eye_ray(direction);
     let far_hit = surface_hit(ray);
-    if FROM_SPACE && far_hit < 0.0 {
-        discard;
-        return vec4f(0.0);
-    }
     // Of wide pixels their own ray tells the place, as it does for the sea, so that none falls between the two. A ray over a ridge meets the
     // ellipsoid much farther on; a coarse triangle may lie far below it.
-    let by_ray = FROM_SPACE || (chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance);
+    let by_ray = chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance;
     var at: Place;
     if by_ray {
         at = place_on_ellipsoid(direction, far_hit);
@@ -113,7 +95,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let distance = at.distance;
     let ground = at.ground;
     let up = at.dn + vec3f(0.0, 0.0, 1.0);
-    let footprint = distance * frame.pixel_angle / sqrt(max(abs(dot(direction, up)), 0.05));
+    let footprint = ground_footprint(distance * frame.pixel_angle, direction, up);
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
     if ground.is_ocean && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
@@ -121,32 +103,14 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
         if !MEASURED {
-            // On the limb the sea's own rays decide, and the sky is what they may miss.
-            if FROM_SPACE && !is_inside_limb(ray) { discard; }
             return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
         }
     }
 
-    let east = normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
-    let north = cross(up, east);
-    let slope = ground_slope(at.point, at.sin_lat, ground, footprint);
-    // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
-    let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
-
-    let mu_sun = dot(frame.sun, up);
-    let daylight = daylight_at(mu_sun);
-    let sun = daylight.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, mu_sun);
-    let ambient = daylight.sky * (0.6 + 0.4 * dot(normal, up));
-    var albedo = natural_colour(ground.elevation, length(slope), at.sin_lat, patchiness(at.point.at, footprint));
-    if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
-    albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
-        * select(1.0, 0.0, ground.is_ocean));
-    var radiance = albedo / PI * (sun + ambient);
-    if ground.is_lake {
-        let shore = smoothstep(0.0, 60.0 + footprint, ground.lake_shore);
-        let lake = water_radiance(WaterPoint(-direction, up, up, east, vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0), daylight);
-        radiance = mix(radiance, lake, shore);
-    }
+    let light = daylight_at(dot(frame.sun, up));
+    let lit = lit_ground(at.point, at.sin_lat, up, ground, footprint, light);
+    var radiance = lit.radiance;
+    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction, up), light), lake_share(ground, footprint)); }
     if UNDER_WATER {
         // Less of the sun reaches the deep bed.
         let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
@@ -156,7 +120,6 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         radiance = radiance * air.transmittance + air.radiance;
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
-    let water_class = select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean);
     let rest = surface_from_normal_delta(at.dn);
-    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, normal, water_class, 0.0), radiance);
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0), radiance);
 }

@@ -1,6 +1,6 @@
-// The sky behind everything: the atmosphere seen from any height, the sun's disc, the faint light of the night. `MEASURED` and `UNDER_WATER` are of
-// src/pass/kind.rs.
+// The sky behind everything. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs.
 #import full_screen
+#import sky
 #import water
 #import output
 
@@ -15,12 +15,5 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         discard;
         return vec4f(0.0);
     }
-    // The disc, 0.267 degrees in radius, darkened towards its limb.
-    let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;
-    let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));
-    let above = step(surface_hit(eye_ray(direction)), 0.0);
-    var sun = vec3f(0.0);
-    if disc * above > 0.0 { sun = min(disc * above * 6.0e4, 6.0e4) * beam_seen(direction) * 0.005; }
-    let night = NIGHT * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT);
-    return vec4f((sky_seen(direction) + sun + night) * frame.exposure, 1.0);
+    return vec4f(sky_light(direction) * frame.exposure, 1.0);
 }

@@ -9,6 +9,7 @@ use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
 use crate::pass::frame_group::FrameGroup;
+use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
 use crate::pass::land::Land;
 use crate::pass::ocean::{Look, Ocean};
@@ -57,6 +58,7 @@ pub struct Renderer {
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
+    globe: Globe,
     land: Land,
     ocean: Ocean,
     backdrop: FullScreen,
@@ -104,6 +106,7 @@ impl Renderer {
         let mesh = Mesh::new(&gpu);
         Self {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
+            globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             backdrop: backdrop::pass(&gpu, [radiance, DEPTH_FORMAT]),
@@ -137,7 +140,7 @@ impl Renderer {
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon);
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         self.visible =
-            (!frame.is_from_space()).then(|| drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame)));
+            (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame)));
         self.complete
     }
 
@@ -194,14 +197,13 @@ impl Renderer {
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
-        self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
-        let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
         let look = Look::of(frame, kind);
-        self.ocean.prepare(&self.gpu, mesh, look);
-        match &self.visible {
+        if let Some(tiles) = &self.visible {
+            self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
+            let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
+            self.ocean.prepare(&self.gpu, mesh, look);
             // Coarse tiles are far ones.
-            Some(tiles) => self.land.set_tiles(&self.gpu, tiles.iter().rev()),
-            None => self.land.set_from_space(),
+            self.land.set_tiles(&self.gpu, tiles.iter().rev());
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);
@@ -224,7 +226,13 @@ impl Renderer {
         let surface = self.surface.group();
         let layers = frame.uniform.layers;
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
-        {
+        let radiance = texture::view(&targets.radiance);
+        if self.visible.is_none() {
+            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            let mut pass = begin(encoder, "globe", &radiance, clear, depth);
+            self.globe.draw(&mut pass, kind, frame_group, surface);
+            self.sky.draw(&mut pass, kind, frame_group, surface);
+        } else {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
@@ -233,10 +241,9 @@ impl Renderer {
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);
             }
-        }
-        {
+            drop(pass);
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
-            let mut pass = begin(encoder, "sea", &texture::view(&targets.radiance), clear, depth);
+            let mut pass = begin(encoder, "sea", &radiance, clear, depth);
             if layers & SHOWS_SEA != 0 {
                 self.ocean.draw(&mut pass, (frame, look), frame_group, surface, self.mesh.drawn());
             }

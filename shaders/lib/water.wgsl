@@ -12,6 +12,13 @@ fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
 }
 
+// Unit vector along the wind, which blows from the same bearing everywhere.
+fn along_wind(up: vec3f) -> vec3f {
+    let east = cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up);
+    let wind = frame.wind.x * east + frame.wind.y * cross(up, east);
+    return normalize(wind + 1e-6 * vec3f(1.0, 0.0, 0.0));
+}
+
 struct WaterPoint {
     to_eye: vec3f,
     up: vec3f,

@@ -29,14 +29,13 @@ pub enum Motion {
 }
 
 /// The efforts of `quality=auto`, the best first: render scale, wave samples (256 and 128), width of a cell.
-const RUNGS: [(f64, Quality, u32); 7] = [
+const RUNGS: [(f64, Quality, u32); 6] = [
     (1.0, Quality::Auto, 0),
     (0.8, Quality::Auto, 0),
     (0.63, Quality::Auto, 0),
     (0.5, Quality::Auto, 0),
     (0.4, Quality::Auto, 6),
-    (0.4, Quality::Low, 6),
-    (0.28, Quality::Low, 8),
+    (0.4, Quality::Low, 8),
 ];
 /// The last of them that a machine begins with: those with other waves are for what proves too slow.
 const LAST_FIRST: usize = 4;
@@ -233,7 +232,7 @@ mod tests {
         let (effort, _) = settled(Adapter::Hardware, 4.0, 60.0);
         assert!((0.5..0.65).contains(&effort.scale) && effort.quality == Quality::Auto, "{effort:?}");
         let (effort, _) = settled(Adapter::Hardware, 60.0, 600.0);
-        assert_eq!((effort.scale, effort.quality), (0.28, Quality::Low));
+        assert_eq!((effort.scale, effort.quality), (0.4, Quality::Low));
     }
 
     #[test]
@@ -254,7 +253,8 @@ mod tests {
         let mut pace = Pace::new(Adapter::Software);
         pace.effort(Quality::Auto, Motion::Settling, CANVAS, 1.0);
         pace.measured_full(5_000.0);
-        assert_eq!(pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0).scale, 0.28);
+        let effort = pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0);
+        assert_eq!((effort.scale, effort.quality), (0.4, Quality::Low));
         // It was slow for another reason: moving pictures are quick.
         (0..100).for_each(|_| pace.measured(20.0));
         assert_eq!(pace.effort(Quality::Auto, Motion::Moving, CANVAS, 1.0).scale, 1.0);

@@ -15,8 +15,9 @@ macro_rules! libraries {
 pub const LIBRARY: &[(&str, &str)] = libraries![
     "air", "air_coordinates", "atmosphere", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf",
     "cuboid", "domain", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "frame", "full_screen",
-    "ground_colour", "ground_slope", "hash", "light", "map", "noise", "output", "projected_grid", "scattering",
-    "sky_coordinates", "stockham", "sunlight", "trigonometry", "water", "wave_patches", "waves", "world",
+    "ground", "ground_colour", "ground_slope", "hash", "light", "limb", "map", "noise", "output", "projected_grid",
+    "scattering", "sky", "sky_coordinates", "stockham", "sunlight", "trigonometry", "water", "wave_patches", "waves",
+    "world",
 ];
 
 /// The complete text of a shader: imports resolved, `definitions` put first.

@@ -1,5 +1,4 @@
-//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw; from space one triangle over
-//! the picture, whose pixels find their places themselves.
+//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw.
 
 use std::collections::HashMap;
 
@@ -24,22 +23,20 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader of a kind of picture, for a ground that is seen from space or for one of tiles.
-pub fn source(kind: Kind, from_space: bool) -> String {
-    let definitions = kind.definitions() + &format!("const FROM_SPACE: bool = {from_space};\n");
-    shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
+/// The composed shader of a kind of picture.
+pub fn source(kind: Kind) -> String {
+    shader::composed(include_str!("../../shaders/land.wgsl"), &kind.definitions())
 }
 
 /// The pass.
 pub struct Land {
-    /// By the picture's kind, and whether it is one from space.
-    pipelines: HashMap<(Kind, bool), Drawing>,
+    pipelines: HashMap<Kind, Drawing>,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
     instances: wgpu::Buffer,
-    /// Tiles of the next draw; `None` from space.
-    count: Option<u32>,
+    /// Tiles of the next draw.
+    count: u32,
 }
 
 /// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
@@ -69,22 +66,18 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let pipeline = |kind, from_space| {
-            let (vertex, buffers): (_, &[_]) =
-                if from_space { ("vertex_of_picture", &[]) } else { ("vertex_of_tile", &buffers) };
-            let depth = Some((depth, DepthTest::Nearest));
-            gpu.drawing("land", (&source(kind, from_space), vertex), &[frame, surface], buffers, colour, depth)
-        };
-        let all = Kind::all().flat_map(|kind| [false, true].map(|from_space| (kind, from_space)));
+        let depth = Some((depth, DepthTest::Nearest));
+        let pipeline =
+            |kind| gpu.drawing("land", (&source(kind), "vertex"), &[frame, surface], &buffers, colour, depth);
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: all.map(|(kind, from_space)| ((kind, from_space), pipeline(kind, from_space))).collect(),
+            pipelines: Kind::all().map(|kind| (kind, pipeline(kind))).collect(),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
-            count: Some(0),
+            count: 0,
         }
     }
 
@@ -94,28 +87,22 @@ impl Land {
             |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
         let instances: Vec<Instance> = tiles.take(MOST_TILES).map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.count = Some(instances.len() as u32);
-    }
-
-    /// Draws the next ground as it is seen from space.
-    pub fn set_from_space(&mut self) {
-        self.count = None;
+        self.count = instances.len() as u32;
     }
 
     /// Tiles and triangles of the next draw.
     pub fn counts(&self) -> [u32; 2] {
-        self.count.map_or([0, 1], |count| [count, count * (self.index_count / 3)])
+        [self.count, self.count * (self.index_count / 3)]
     }
 
     /// One draw.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipelines[&(kind, self.count.is_none())]);
+        pass.set_pipeline(&self.pipelines[&kind]);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
-        let Some(count) = self.count else { return pass.draw(0..3, 0..1) };
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..count);
+        pass.draw_indexed(0..self.index_count, 0, 0..self.count);
     }
 }

@@ -6,6 +6,7 @@ pub mod bisect;
 pub mod fft;
 pub mod foam;
 pub mod frame_group;
+pub mod globe;
 pub mod kind;
 pub mod land;
 pub mod ocean;

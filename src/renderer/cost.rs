@@ -6,13 +6,13 @@ use crate::error::Result;
 /// The work of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Vertices of the sea's mesh: the grid's own, or three for each of the bisected triangles in view.
+    /// Vertices of the sea's mesh: the grid's own, or three for each of the bisected triangles in view. From space there is no mesh.
     pub vertices: u32,
     /// Triangles of the sea's mesh.
     pub triangles: u32,
-    /// Map tiles of the ground that are drawn, a grid of triangles for each; none from space.
+    /// Map tiles of the ground that are drawn, a grid of triangles for each.
     pub map_tiles: u32,
-    /// Triangles of the ground's grids; from space the one that covers the picture.
+    /// Triangles of the ground's grids.
     pub land_triangles: u32,
     /// Compute dispatches, those of the foam's replay included.
     pub dispatches: usize,
@@ -24,6 +24,10 @@ impl Renderer {
     /// # Errors
     /// [`crate::error::Error::Gpu`] when the device is lost.
     pub fn cost(&self) -> Result<Cost> {
+        let dispatches = self.dispatches;
+        if self.visible.is_none() {
+            return Ok(Cost { dispatches, ..Cost::default() });
+        }
         let [vertices, triangles] = match self.mesh.read_vertices(&self.gpu) {
             Some(vertices) => {
                 let vertices = vertices?;
@@ -32,6 +36,6 @@ impl Renderer {
             None => self.ocean.grid_counts(),
         };
         let [map_tiles, land_triangles] = self.land.counts();
-        Ok(Cost { vertices, triangles, map_tiles, land_triangles, dispatches: self.dispatches })
+        Ok(Cost { vertices, triangles, map_tiles, land_triangles, dispatches })
     }
 }

@@ -17,10 +17,11 @@ struct View {
 }
 
 impl View {
+    /// None where the mesh is not drawn.
     fn of(frame: &Frame) -> Option<Self> {
         let u = &frame.uniform;
         Some(Self {
-            bisection: frame.bisection?,
+            bisection: frame.bisection.filter(|_| !frame.is_globe())?,
             rays: [u.ray_right, u.ray_up, u.ray_forward],
             pixel_angle: u.pixel_angle,
             altitude: u.eye_altitude,

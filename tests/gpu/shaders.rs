@@ -13,7 +13,7 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, fft, foam, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
+    air_table, backdrop, bisect, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
 };
 use ocean_globe::scene::frame::LACE_BLURRED_M;
 use ocean_globe::scene::frame::bisection::Bisection;
@@ -40,7 +40,8 @@ fn all() -> Vec<(&'static str, String)> {
         ("tonemap.wgsl", tonemap::source()),
     ];
     for kind in Kind::all() {
-        all.extend([false, true].map(|from_space| ("land.wgsl", land::source(kind, from_space))));
+        all.push(("globe.wgsl", globe::source(kind)));
+        all.push(("land.wgsl", land::source(kind)));
         all.push(("sky.wgsl", sky::source(kind)));
     }
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
@@ -212,7 +213,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), false);
+    let land = land::source(Kind::default());
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);
@@ -227,6 +228,7 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), streaming::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), streaming::PAGE_WINDOW as f64);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
+    assert_eq!(constant(&globe::source(Kind::default()), "RIM"), f64::from(globe::RIM));
     let reflectance = optics::DEEP_REFLECTANCE.map(|share| f64::from(share as f32));
     assert_eq!(constants(&land, "DEEP_REFLECTANCE"), reflectance);
     assert_eq!(constant(&land, "OPAQUE_ALPHA"), f64::from(optics::OPAQUE_ALPHA as f32));

@@ -195,7 +195,7 @@ fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
     window.frame(vec![]);
     assert!(window.pictures() > before + 2, "{} pictures of a drag", window.pictures() - before);
     let scale: f64 = window.fact("scale").parse().expect("a number");
-    assert!((0.25..0.9).contains(&scale), "a scale of {scale}");
+    assert!((0.4..0.9).contains(&scale), "a scale of {scale}");
     assert_eq!(window.fact("state"), "loading");
     window.press(pos2(330.0, 180.0), false);
     window.settle();

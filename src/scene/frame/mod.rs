@@ -66,6 +66,9 @@ pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
     wished.max(size[0].max(size[1]).div_ceil(MOST_CELLS))
 }
 
+/// The globe is one disc from this height on, metres: the limb is then well below the horizon.
+const LOWEST_GLOBE_M: f64 = 500_000.0;
+
 impl Frame {
     /// The frame that `camera` sees at a UTC instant, `size` in pixels, in a sea made for it alone.
     pub fn new(settings: &Settings, camera: &Camera, unix_seconds: f64, size: [u32; 2]) -> Self {
@@ -141,10 +144,12 @@ impl Frame {
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
     }
 
-    /// Whether the ground is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high, and
-    /// the ellipsoid is all of the ground's shape. A wide picture's corners have pixels half as wide.
-    pub fn is_from_space(&self) -> bool {
-        self.camera.altitude_m * f64::from(self.uniform.pixel_angle) > RELIEF_M
+    /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high,
+    /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide.
+    pub fn is_globe(&self) -> bool {
+        let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
+        let pixel_m = self.camera.altitude_m * f64::from(self.uniform.pixel_angle);
+        self.uniform.layers & all == all && pixel_m > RELIEF_M && self.camera.altitude_m > LOWEST_GLOBE_M
     }
 
     /// A distance that no water is nearer than, metres.

@@ -1,0 +1,81 @@
+// The earth from space, where no summit stands as high as a pixel is wide and no wave shows: ground and sea in one disc, whose pixels' own
+// rays meet the ellipsoid. It shows what land.wgsl and ocean.wgsl would. `MEASURED` is of src/pass/kind.rs.
+#import foam
+#import ground
+#import limb
+#import output
+#import sky
+#import waves
+
+const WAVES = false;
+const NOISE = false;
+
+const RIM = 64u;               // triangles of the disc; as src/pass/globe.rs
+// How far the limb may be off the nadir, beyond what a sphere's would be: the vertical leans by 0.0034 rad from the way to the middle.
+const FLATTENING_REACH = 0.006;
+const LIMB_PIXELS = 1.5;       // that pixels which the limb crosses reach beyond it
+
+// A disc across the nadir that covers the ellipsoid and its limb.
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    let to_middle = frame.semi_minor + frame.eye_altitude;
+    let tilt = asin(min(frame.semi_major / to_middle, 1.0)) + FLATTENING_REACH + LIMB_PIXELS * frame.pixel_angle;
+    // Below the horizon in pictures of a few pixels, too.
+    let reach = tan(min(tilt, 1.5)) / cos(PI / f32(RIM));
+    let way = sine_cosine(f32(index / 3u + index % 3u) * TURN / f32(RIM));
+    let out = select(reach, 0.0, index % 3u == 0u) * vec2f(way.cosine, way.sine);
+    return frame.clip_from_local * vec4f(frame.eye_altitude * vec3f(out, -1.0), 1.0);
+}
+
+fn ray_through(device: vec2f) -> vec3f {
+    return normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+}
+
+@fragment
+fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let device = position.xy * vec2f(2.0, -2.0) / frame.viewport + vec2f(-1.0, 1.0);
+    let direction = ray_through(device);
+    let ray = eye_ray(direction);
+    let hit = surface_hit(ray);
+    let misses = hit < 0.0;
+    let limb = limb_of(ray, direction);
+    // A measured layer says what lies under the middle of a pixel; a picture, what fills it.
+    let is_sky = misses && (MEASURED || limb.share <= 0.0);
+    if MEASURED && is_sky { return sky_output(); }
+    // Beside the limb stands the sky of the next pixel outwards.
+    let beyond = select(2.0 * limb.beyond * vec2f(1.0, -1.0) / frame.viewport, vec2f(0.0), misses);
+    var sky = vec3f(0.0);
+    if limb.share < 1.0 { sky = sky_light(ray_through(device + beyond)); }
+    if is_sky { return vec4f(sky * frame.exposure, 1.0); }
+
+    let distance = select(hit, limb.distance, misses);
+    let rest = direction * distance;
+    let dn = normal_delta(rest);
+    let up = dn + vec3f(0.0, 0.0, 1.0);
+    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
+    let point = map_point(dn);
+    let across = distance * frame.pixel_angle;
+    let ground = ground_at(point, sin_lat, max(across, 1.0));
+    let light = daylight_at(dot(frame.sun, up));
+    let ground_across = ground_footprint(across, direction, up);
+    let lit = lit_ground(point, sin_lat, up, ground, ground_across, light);
+
+    // Water that is seen, and how much of the pixel it fills.
+    let depth = -ground.elevation;
+    let grazing = max(abs(dot(direction, up)), 0.002);
+    var water = lake_water(direction, up);
+    var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
+    if ground.is_ocean {
+        let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
+        let foam = calmed * share_from_afar(0.0, across / pow(grazing, 0.9));
+        water = WaterPoint(-direction, up, up, along_wind(up), slopes_at(rest, distance, across / sqrt(grazing)).rough, water_alpha(depth),
+            depth, lit.radiance, foam);
+        water_share = 1.0;
+    }
+    let radiance = mix(lit.radiance, water_radiance(water, light), water_share);
+    let air = haze(direction, distance);
+    let seen = mix(sky, radiance * air.transmittance + air.radiance, limb.share);
+    if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
+    if ground.is_ocean { return measured_output(Measured(rest, distance, depth, water.alpha, 0.0, up, 1.0, mix_weights(distance).y), seen); }
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0), seen);
+}

@@ -1,0 +1,43 @@
+// Dry land, lakes and the sea bed, shaded by height, slope and latitude.
+#import ground_colour
+#import ground_slope
+#import water
+
+const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+
+// How wide a pixel is on ground that is seen aslant.
+fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
+    return across / sqrt(max(abs(dot(direction, up)), 0.05));
+}
+
+fn east_at(up: vec3f) -> vec3f {
+    return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
+}
+
+struct LitGround { normal: vec3f, radiance: vec3f }
+
+fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprint: Metres, light: Daylight) -> LitGround {
+    let east = east_at(up);
+    let north = cross(up, east);
+    let slope = ground_slope(point, sin_lat, ground, footprint);
+    // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
+    let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
+    let sun = light.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, dot(frame.sun, up));
+    let ambient = light.sky * (0.6 + 0.4 * dot(normal, up));
+    var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
+    if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
+    albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
+        * select(1.0, 0.0, ground.is_ocean));
+    return LitGround(normal, albedo / PI * (sun + ambient));
+}
+
+// A calm, deep lake.
+fn lake_water(direction: vec3f, up: vec3f) -> WaterPoint {
+    return WaterPoint(-direction, up, up, east_at(up), vec2f(0.002), 1.0, 20.0, vec3f(0.0), 0.0);
+}
+
+// How much of a pixel of a lake is water.
+fn lake_share(ground: Ground, footprint: Metres) -> f32 { return smoothstep(0.0, 60.0 + footprint, ground.lake_shore); }
+
+// 1 ocean, 2 lake, 0 land.
+fn water_class(ground: Ground) -> f32 { return select(select(0.0, 2.0, ground.is_lake), 1.0, ground.is_ocean); }

@@ -1,0 +1,44 @@
+//! The earth from space: ground and sea in one disc, where nothing on the ellipsoid has a shape that shows.
+
+use std::collections::HashMap;
+
+use super::kind::Kind;
+use crate::gpu::pipeline::{DepthTest, Drawing};
+use crate::gpu::{Gpu, shader};
+
+/// Triangles of the disc; equals `RIM` in `shaders/globe.wgsl`.
+pub const RIM: u32 = 64;
+
+/// The composed shader of a kind of picture.
+pub fn source(kind: Kind) -> String {
+    shader::composed(include_str!("../../shaders/globe.wgsl"), &kind.definitions())
+}
+
+/// The pass.
+pub struct Globe {
+    pipelines: HashMap<Kind, Drawing>,
+}
+
+impl Globe {
+    /// The pass into formats of colour and depth; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    pub fn new(
+        gpu: &Gpu,
+        frame: &wgpu::BindGroupLayout,
+        surface: &wgpu::BindGroupLayout,
+        [colour, depth]: [wgpu::TextureFormat; 2],
+    ) -> Self {
+        let depth = Some((depth, DepthTest::Nearest));
+        let pipeline = |kind| gpu.drawing("globe", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
+        let above_water = Kind::all().filter(|kind| !kind.under_water);
+        Self { pipelines: above_water.map(|kind| (kind, pipeline(kind))).collect() }
+    }
+
+    /// One disc; nothing from under the water.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
+        let Some(pipeline) = self.pipelines.get(&kind) else { return };
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, surface, &[]);
+        pass.draw(0..3 * RIM, 0..1);
+    }
+}
