@@ -1,4 +1,4 @@
-// The page in real browsers, one after the other. Firefox draws with the same software as the native program and is several times
+// The page in real browsers, two at a time: each waits more than it works. Firefox draws with the same software as the native program and is several times
 // faster than Chromium, so it has the whole suite; Chromium has what is its own: its compiler of shaders, its start and its pictures,
 // from the server of make run.
 
@@ -17,12 +17,14 @@ import { startTests } from "./suites/start.mjs";
 import { tileTests } from "./suites/tiles.mjs";
 
 function suites(browser, options, all) {
-  describe(browser, () => {
+  describe(browser, { concurrency: 1 }, () => {
     const site = visit(browser, options);
     for (const tests of all) tests(site);
   });
 }
 
-suites("firefox", {}, [startTests, samePictureTests, sheetTests, sampleSurfaceTests, linkTests, panelTests, tileTests, serverTests]);
-suites("chromium", { start: startServer }, [startTests, samePictureTests, shaderTests, serverTests]);
-suites("chromium without WebGPU", { start: startBreakable }, [noticeTests]);
+describe("browsers", { concurrency: 2 }, () => {
+  suites("firefox", {}, [startTests, samePictureTests, sheetTests, sampleSurfaceTests, linkTests, panelTests, tileTests, serverTests]);
+  suites("chromium", { start: startServer }, [startTests, samePictureTests, shaderTests, serverTests]);
+  suites("chromium without WebGPU", { start: startBreakable }, [noticeTests]);
+});

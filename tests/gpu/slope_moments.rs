@@ -114,40 +114,39 @@ fn the_drawn_slopes_and_their_roughness_add_up_under_every_footprint() {
         let side_m = sea.sea.cascades[0].patch_m;
         let total = sea.sea.slopes();
         // The waves alone, both, the far sea alone.
-        for distance in [0.0, 0.5 * (MIX_NEAR_M + MIX_FAR_M), MIX_FAR_M] {
-            let pairs = FOOTPRINTS.map(|footprint| [distance, footprint]);
-            let mut found = [[[Ensemble::default(); 2]; 2]; FOOTPRINTS.len()];
-            for seed in 0..SEAS {
-                let now = reseeded(&sea, seed, NOON + 1e4 * f64::from(seed * seed));
-                water.set_sea(&waves_of_sea, seed, now.unix_seconds);
-                water.set_noise(&now);
-                let places = places(&pairs, PLACES * seed as usize, PLACES, side_m);
-                let drawn = water.at(&now, &places);
-                for (drawn, found) in drawn.chunks_exact(PLACES).zip(&mut found) {
-                    for (axis, [slope, rough]) in found.iter_mut().enumerate() {
-                        slope.push(mean(drawn, |d| d.slope[axis] * d.slope[axis]));
-                        rough.push(mean(drawn, |d| d.rough[axis]));
-                    }
+        let distances = [0.0, 0.5 * (MIX_NEAR_M + MIX_FAR_M), MIX_FAR_M];
+        let pairs: Vec<_> = distances.iter().flat_map(|&d| FOOTPRINTS.map(|footprint| [d, footprint])).collect();
+        let mut found = vec![[[Ensemble::default(); 2]; 2]; pairs.len()];
+        for seed in 0..SEAS {
+            let now = reseeded(&sea, seed, NOON + 1e4 * f64::from(seed * seed));
+            water.set_sea(&waves_of_sea, seed, now.unix_seconds);
+            water.set_noise(&now);
+            let places = places(&pairs, PLACES * seed as usize, PLACES, side_m);
+            let drawn = water.at(&now, &places);
+            for (drawn, found) in drawn.chunks_exact(PLACES).zip(&mut found) {
+                for (axis, [slope, rough]) in found.iter_mut().enumerate() {
+                    slope.push(mean(drawn, |d| d.slope[axis] * d.slope[axis]));
+                    rough.push(mean(drawn, |d| d.rough[axis]));
                 }
             }
-            for (footprint, axes) in FOOTPRINTS.into_iter().zip(found) {
-                let [along, across] = [0, 1].map(|axis| {
-                    let [slope, rough] = axes[axis].map(|ensemble| ensemble.mean() / total[axis]);
-                    (slope, rough, slope + rough)
-                });
-                println!("{speed} m/s, {distance} m, footprint {footprint} m: along {along:.4?}, across {across:.4?}");
-                let both = (along.2 * total[0] + across.2 * total[1]) / (total[0] + total[1]);
-                assert!((both - 1.0).abs() < 0.02, "{speed} m/s, {distance} m, footprint {footprint} m: {both}");
-                // The noise's patch keeps the sum of both axes' squares, and its own slopes say how they share it: along the wind
-                // 0.75 of them in its short octaves and 0.8 in its long ones. A twentieth of the 0.4 that it holds in a light
-                // wind, put on the wrong axis, is 2 % of the whole, and more of the smaller one.
-                let bound = if distance == 0.0 { 0.02 } else { 0.04 };
-                for (_, _, sum) in [along, across] {
-                    assert!((sum - 1.0).abs() < bound, "{speed} m/s, {distance} m, footprint {footprint} m: {sum}");
-                }
-                if footprint >= 3e3 {
-                    assert!(along.0 + across.0 < 0.01, "what is far smaller than the footprint is roughness alone");
-                }
+        }
+        for ([distance, footprint], axes) in pairs.into_iter().zip(found) {
+            let [along, across] = [0, 1].map(|axis| {
+                let [slope, rough] = axes[axis].map(|ensemble| ensemble.mean() / total[axis]);
+                (slope, rough, slope + rough)
+            });
+            println!("{speed} m/s, {distance} m, footprint {footprint} m: along {along:.4?}, across {across:.4?}");
+            let both = (along.2 * total[0] + across.2 * total[1]) / (total[0] + total[1]);
+            assert!((both - 1.0).abs() < 0.02, "{speed} m/s, {distance} m, footprint {footprint} m: {both}");
+            // The noise's patch keeps the sum of both axes' squares, and its own slopes say how they share it: along the wind
+            // 0.75 of them in its short octaves and 0.8 in its long ones. A twentieth of the 0.4 that it holds in a light
+            // wind, put on the wrong axis, is 2 % of the whole, and more of the smaller one.
+            let bound = if distance == 0.0 { 0.02 } else { 0.04 };
+            for (_, _, sum) in [along, across] {
+                assert!((sum - 1.0).abs() < bound, "{speed} m/s, {distance} m, footprint {footprint} m: {sum}");
+            }
+            if footprint >= 3e3 {
+                assert!(along.0 + across.0 < 0.01, "what is far smaller than the footprint is roughness alone");
             }
         }
     }
