@@ -1,6 +1,7 @@
 // What the air does to light, for any eye and sun, made once: the transmittance towards the air's top, and the light that has
 // been scattered before. Air mass: C. Schueler 2012, "An approximation to the Chapman grazing-incidence function".
 #import atmosphere
+#import air_coordinates
 #import sky_coordinates
 
 @group(1) @binding(0) var transmittance_table: texture_storage_2d<rgba16float, write>;
@@ -17,28 +18,93 @@ fn air_mass(h: Metres, mu: f32, scale: Metres) -> f32 {
     return min(2.0 * c0 * exp(min(x - x0, 60.0)) - c / ((c - 1.0) * -mu + 1.0), 1e6);
 }
 
-@compute @workgroup_size(8, 8)
-fn transmittances(@builtin(global_invocation_id) id: vec3u) {
-    let size = textureDimensions(transmittance_table);
-    if any(id.xy >= size) { return; }
-    let view = transmittance_view(vec2f(id.xy) / vec2f(size - 1u));
-    let h = view.x;
-    let mu = view.y;
+// Share of a beam from space that reaches height h from the zenith cosine mu.
+fn beam(h: Metres, mu: f32) -> vec3f {
     let r = frame.semi_major + h;
     let rayleigh = RAYLEIGH_HEIGHT * exp(-h / RAYLEIGH_HEIGHT) * air_mass(h, mu, RAYLEIGH_HEIGHT);
     let mie = MIE_HEIGHT * exp(-h / MIE_HEIGHT) * air_mass(h, mu, MIE_HEIGHT);
     let ratio = min(r / (frame.semi_major + OZONE_HEIGHT), 1.0);
     let ozone = OZONE_THICKNESS / sqrt(max(1.0 - ratio * ratio * (1.0 - mu * mu), 0.002))
         * select(1.0, 0.0, h > OZONE_HEIGHT && mu > 0.0);
-    let value = exp(-(RAYLEIGH * rayleigh + vec3f(MIE_EXTINCTION) * mie + OZONE * ozone));
-    textureStore(transmittance_table, id.xy, vec4f(value, 1.0));
+    return exp(-(RAYLEIGH * rayleigh + mie_extinction() * mie + OZONE * ozone));
 }
 
-// Radiance that the air scatters in all directions alike, per unit of its scattering coefficient and of solar irradiance.
+@compute @workgroup_size(8, 8)
+fn transmittances(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(transmittance_table);
+    if any(id.xy >= size) { return; }
+    let view = transmittance_view(vec2f(id.xy) / vec2f(size - 1u));
+    textureStore(transmittance_table, id.xy, vec4f(beam(view.x, view.y), 1.0));
+}
+
+// Light of the sun at height h, as lib/sunlight.wgsl reads it from the table that is made beside this one.
+fn sunbeam(h: Metres, mu: f32) -> vec3f {
+    let horizon = -sqrt(h * (2.0 * frame.semi_major + h)) / (frame.semi_major + h);
+    let visible = smoothstep(-0.006, 0.006, mu - horizon);
+    if visible <= 0.0 { return vec3f(0.0); }
+    return visible * beam(h, max(mu, horizon));
+}
+
+const GROUND_ALBEDO = 0.06;          // of the sea
+const ELEVATIONS = 8u;               // directions around a point: even shares of the sphere
+const AZIMUTHS = 8u;
+const STEPS = 20u;
+
+// What comes to a point from a direction: light that has been scattered once or reflected by the ground, and the share of the
+// direction's light that would be scattered on its way if every place shone with radiance one.
+struct Arriving { light: vec3f, share: vec3f }
+
+fn arriving(h: Metres, mu: f32, azimuth: f32, mu_sun: f32) -> Arriving {
+    let flat = sqrt(max(1.0 - mu * mu, 0.0));
+    let cosine = mu * mu_sun + flat * sqrt(max(1.0 - mu_sun * mu_sun, 0.0)) * cos(azimuth);   // of the angle from the sun
+    let curvature = 0.5 / frame.semi_major;
+    let ray = Ray(curvature, 0.5 * mu * (1.0 + h / frame.semi_major), h * (1.0 + h * curvature));
+    let ground = shell_hits(ray, 0.0);
+    let meets = mu < 0.0 && ground.y >= ground.x;
+    let reach = select(shell_hits(ray, TOP).y, max(ground.x, 0.0), meets);
+    var found = Arriving(vec3f(0.0), vec3f(0.0));
+    var through = vec3f(1.0);
+    var t = 0.0;
+    for (var i = 1u; i <= STEPS; i++) {
+        let next = reach * warped(f32(i) / f32(STEPS), select(0.0, 1.0, mu < 0.0));
+        let middle = 0.5 * (t + next);
+        let height = clamp(height_along(ray, middle), 0.0, TOP);
+        let mu_here = clamp(((frame.semi_major + h) * mu_sun + middle * cosine) / (frame.semi_major + height), -1.0, 1.0);
+        let rayleigh = RAYLEIGH * exp(-height / RAYLEIGH_HEIGHT);
+        let mie = mie_extinction() * exp(-height / MIE_HEIGHT);
+        let scattering = rayleigh + MIE_ALBEDO * mie;
+        let extinction = rayleigh + mie + OZONE * max(1.0 - abs(height - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
+        let passed = exp(extinction * (t - next));
+        let inside = through * scattering * (vec3f(1.0) - passed) / max(extinction, vec3f(1e-12));
+        found.light += inside * sunbeam(height, mu_here) / (4.0 * PI);
+        found.share += inside;
+        through *= passed;
+        t = next;
+    }
+    if meets {
+        let mu_ground = ((frame.semi_major + h) * mu_sun + reach * cosine) / frame.semi_major;
+        found.light += through * GROUND_ALBEDO / PI * max(mu_ground, 0.0) * sunbeam(0.0, clamp(mu_ground, -1.0, 1.0));
+    }
+    return found;
+}
+
+// Radiance that comes from all around after two scatterings and more, per unit of solar irradiance, taken as the same from
+// everywhere: every further scattering passes on the same share (S. Hillaire 2020, section 5.5).
 @compute @workgroup_size(8, 8)
 fn multiples(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(multiple_table);
     if any(id.xy >= size) { return; }
     let view = multiple_view(vec2f(id.xy) / vec2f(size - 1u));
-    textureStore(multiple_table, id.xy, vec4f(vec3f(0.02 * smoothstep(-0.15, 0.4, view.y)), 1.0));
+    var light = vec3f(0.0);
+    var share = vec3f(0.0);
+    for (var i = 0u; i < ELEVATIONS; i++) {
+        for (var j = 0u; j < AZIMUTHS; j++) {
+            let mu = 2.0 * (f32(i) + 0.5) / f32(ELEVATIONS) - 1.0;
+            let one = arriving(view.x, mu, PI * (f32(j) + 0.5) / f32(AZIMUTHS), view.y);
+            light += one.light;
+            share += one.share;
+        }
+    }
+    let directions = f32(ELEVATIONS * AZIMUTHS);
+    textureStore(multiple_table, id.xy, vec4f(light / directions / (vec3f(1.0) - share / directions), 1.0));
 }

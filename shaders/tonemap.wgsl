@@ -1,18 +1,41 @@
-// From scene radiance to display: a filmic curve that keeps hue (K. Narkowicz 2015, ACES fit), then the sRGB transfer function.
+// From scene radiance to display: AgX, which takes the colour out of what is too bright for a display instead of clipping it
+// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), a little more contrast and colour,
+// and half a step of noise, so that no sky has bands.
 #import full_screen
+#import hash
 
 @group(0) @binding(0) var scene: texture_2d<f32>;
 
-fn filmic(x: vec3f) -> vec3f {
-    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), vec3f(0.0), vec3f(1.0));
+const INSET = mat3x3f(
+    0.842479062253094, 0.0423282422610123, 0.0423756549057051,
+    0.0784335999999992, 0.878468636469772, 0.0784336,
+    0.0792237451477643, 0.0791661274605434, 0.879142973793104);
+const OUTSET = mat3x3f(
+    1.19687900512017, -0.0528968517574562, -0.0529716355144438,
+    -0.0980208811401368, 1.15190312990417, -0.0980434501171241,
+    -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
+const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
+const BRIGHTEST = 4.026069;
+const CONTRAST = 1.1;
+const SATURATION = 1.3;
+
+// The curve over the logarithm, 0...1 both.
+fn agx_curve(x: vec3f) -> vec3f {
+    return ((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x * x + 0.1191 * x - 0.00232;
 }
 
-fn srgb_from_linear(c: vec3f) -> vec3f {
-    return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
+// Display values, 0...1, of exposed radiance.
+fn displayed(radiance: vec3f) -> vec3f {
+    let x = (log2(max(INSET * radiance, vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
+    let toned = pow(max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0)), vec3f(CONTRAST));
+    let grey = dot(toned, vec3f(0.2126, 0.7152, 0.0722));
+    return clamp(OUTSET * mix(vec3f(grey), toned, SATURATION), vec3f(0.0), vec3f(1.0));
 }
 
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let radiance = min(textureLoad(scene, vec2u(position.xy), 0).rgb, vec3f(100.0));
-    return vec4f(srgb_from_linear(filmic(radiance)), 1.0);
+    let pixel = vec2u(position.xy);
+    let radiance = textureLoad(scene, pixel, 0).rgb;
+    let noise = f32(hash(vec3u(pixel, 0u)) >> 8u) / 16777216.0 - 0.5;
+    return vec4f(displayed(radiance) + noise / 255.0, 1.0);
 }

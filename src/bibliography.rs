@@ -17,6 +17,18 @@ pub enum CoxMunk1954 {}
 /// ω⁻⁴ equilibrium range, which is k⁻³·⁵ as a density over the wave-number plane. <https://doi.org/10.1007/BF02108528>
 pub enum Toba1973 {}
 
+/// Toba, Y. (1972), *Local balance in the air-sea boundary processes I. On the growth process of wind waves*, J. Oceanogr. Soc.
+/// Japan 28, 109–120: the 3/2-power law between the height and the period of wind waves. <https://doi.org/10.1007/BF02109772>
+pub enum Toba1972 {}
+
+/// Wu, J. (1982), *Wind-stress coefficients over sea surface from breeze to hurricane*, J. Geophys. Res. 87 (C12), 9704–9706.
+/// <https://doi.org/10.1029/JC087iC12p09704>
+pub enum Wu1982 {}
+
+/// Donelan, M. A. et al. (2004), *On the limiting aerodynamic roughness of the ocean in very strong winds*, Geophys. Res. Lett.
+/// 31, L18306: the drag grows no further from some 33 m/s on. <https://doi.org/10.1029/2004GL019460>
+pub enum Donelan2004 {}
+
 /// Eckart, C. (1952), *The propagation of gravity waves from deep to shallow water*, in Gravity Waves, NBS Circular 521,
 /// 165–173: the closed approximation that starts the solution of the dispersion relation. No DOI.
 pub enum Eckart1952 {}
@@ -47,6 +59,10 @@ pub enum Karney2013 {}
 /// Meeus, J. (1998), *Astronomical Algorithms*, 2nd ed., Willmann-Bell, ISBN 0-943396-61-1: chapter 12 (sidereal time) and
 /// chapter 25 (the sun to 0.01 degrees).
 pub enum Meeus1998 {}
+
+/// Kasten, F. and Young, A. T. (1989), *Revised optical air mass tables and approximation formula*, Appl. Opt. 28, 4735–4738.
+/// <https://doi.org/10.1364/AO.28.004735>
+pub enum KastenYoung1989 {}
 
 /// Schlick, C. (1994), *An inexpensive BRDF model for physically-based rendering*, Computer Graphics Forum 13, 233–246.
 /// <https://doi.org/10.1111/1467-8659.1330233>

@@ -227,6 +227,10 @@ impl Panel {
     fn sea(&mut self, ui: &mut Ui, settings: &mut Settings) {
         ui.spacing_mut().slider_width = 80.0;
         sea::show(ui, settings, &mut self.widgets);
+        let haze = Slider::new(&mut settings.haze, 0.0..=0.2).custom_formatter(digits(2)).text("haze");
+        let haze = ui.add(haze);
+        self.widgets.note("haze", &haze);
+        haze.on_hover_text("Optical depth of the aerosol: 0.05 far out, 0.1 near shores, 0.2 in smoke");
         let density =
             Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).custom_formatter(digits(3)).text("ρ, 1/m");
         ui.add(density).on_hover_text("The water hides the ground by 1 − exp(−ρ·depth)");

@@ -208,6 +208,8 @@ impl Renderer {
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);
         }
+        self.air_table.prepare(&frame.uniform);
+        self.sky_table.prepare(&frame.uniform);
         self.dispatches = self.air_table.dispatches()
             + self.sky_table.dispatches()
             + self.sky_view.dispatches()

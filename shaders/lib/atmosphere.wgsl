@@ -1,10 +1,11 @@
 // The air: what it is made of, and the coordinates of the table of its transmittance. Coefficients: E. Bruneton and F. Neyret 2008,
-// S. Hillaire 2020.
+// S. Hillaire 2020; the aerosol is that of the open sea: its optical depth falls with the wavelength to the power of 0.6 (A. Smirnov
+// et al. 2009, "Maritime Aerosol Network"), and it scatters nearly all that it takes out of a beam.
 #import ellipsoid
 
 const RAYLEIGH = vec3f(5.802e-6, 13.558e-6, 33.1e-6);    // per metre at sea level
-const MIE = 2.7e-6;                                      // clear maritime air, visibility about 80 km
-const MIE_EXTINCTION = 3.0e-6;
+const MIE_COLOUR = vec3f(0.880, 1.0, 1.143);             // (wavelength / 550 nm)^-0.6 at 680, 550 and 440 nm
+const MIE_ALBEDO = 0.98;
 const OZONE = vec3f(0.65e-6, 1.881e-6, 0.085e-6);
 const OZONE_THICKNESS: Metres = 15000.0;
 const OZONE_HEIGHT: Metres = 25000.0;
@@ -14,11 +15,14 @@ const TOP: Metres = 100000.0;
 const SUN_IRRADIANCE = vec3f(1.0, 0.98, 0.95);           // the unit of radiance; colour of the extraterrestrial sun
 const PI = 3.141592653589793;
 
+// Extinction by the aerosol at sea level, per metre: a column of `frame.haze` at 550 nm over its scale height.
+fn mie_extinction() -> vec3f { return frame.haze / MIE_HEIGHT * MIE_COLOUR; }
+
 fn rayleigh_phase(c: f32) -> f32 { return 3.0 / (16.0 * PI) * (1.0 + c * c); }
 
-// Cornette-Shanks, g = 0.8.
+// Cornette-Shanks, g = 0.75.
 fn mie_phase(c: f32) -> f32 {
-    let g = 0.8;
+    let g = 0.75;
     let d = max(1.0 + g * g - 2.0 * g * c, 1e-4);
     return 3.0 / (8.0 * PI) * (1.0 - g * g) * (1.0 + c * c) / ((2.0 + g * g) * d * sqrt(d));
 }

@@ -27,12 +27,12 @@ fn stepped(sight: Sight, before: Scattered, from_t: f32, to_t: f32) -> Scattered
     let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT);
     let density_m = exp(-h / MIE_HEIGHT);
     let density_o = max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
-    let extinction = rayleigh + vec3f(MIE_EXTINCTION * density_m) + OZONE * density_o;
-    // Higher orders, roughly isotropic: a third of the first overhead, and most of the light at the end of long paths.
+    let mie = mie_extinction() * density_m;
+    let extinction = rayleigh + mie + OZONE * density_o;
     let place = table_place(multiple_coordinates(h, mu_sun), textureDimensions(multiples));
-    let ambient = textureSampleLevel(multiples, clamped, place, 0.0).rgb * (4.0 - 3.0 * before.through);
+    let ambient = textureSampleLevel(multiples, clamped, place, 0.0).rgb;
     let lit = sunlight(h, mu_sun);
-    let source = rayleigh * (sight.phases.x * lit + ambient) + MIE * density_m * (sight.phases.y * lit + ambient);
+    let source = rayleigh * (sight.phases.x * lit + ambient) + MIE_ALBEDO * mie * (sight.phases.y * lit + ambient);
     let passed = exp(extinction * (from_t - to_t));
     let inside = (vec3f(1.0) - passed) / max(extinction, vec3f(1e-12));
     return Scattered(before.radiance + SUN_IRRADIANCE * before.through * source * inside, before.through * passed);

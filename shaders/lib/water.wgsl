@@ -2,8 +2,10 @@
 #import light
 #import brdf
 
-// Share of irradiance that deep clear sea water sends back up (blue water; C. Mobley 1994, ch. 3).
-const DEEP_REFLECTANCE = vec3f(0.0035, 0.018, 0.040);
+// Reflectance of deep water, as seen from above straight down: pi times the remote-sensing reflectance of the open ocean with 0.2 mg of
+// chlorophyll per cubic metre (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as
+// linear sRGB). It holds the surface's transmission both ways.
+const DEEP_REFLECTANCE = vec3f(0.0, 0.0058, 0.0228);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
 const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
@@ -50,11 +52,12 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     mirrored = normalize(mirrored + (lift + max(-above, 0.0) * 1.1) * w.up);
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
     let sparkle = sun * glitter(w.to_eye, frame.sun, normal, w.up, w.along, w.rough);
-    let down = sun * max(mu_sun, 0.0) * (1.0 - fresnel_water(max(mu_sun, 0.0))) + ambient * 0.93;
-    let body = DEEP_REFLECTANCE / PI * down;
+    let down = sun * max(mu_sun, 0.0) + ambient;
+    let body = DEEP_REFLECTANCE / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-BED_ABSORPTION * w.depth);
     let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
-    let foam = FOAM_ALBEDO / PI * (sun * max(mu_sun, 0.0) + ambient);
+    // Foam lies on the slopes: those towards the sun are brighter.
+    let foam = FOAM_ALBEDO / PI * (sun * max(dot(normal, frame.sun), 0.0) + ambient);
     return mix(reflected + sparkle + through, foam, clamp(w.foam, 0.0, 1.0));
 }
 

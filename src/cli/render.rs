@@ -29,6 +29,8 @@ pub enum LayerName {
     Normal,
     /// Relative luminance of the radiance, before it is exposed.
     Luminance,
+    /// Radiance, linear sRGB, before it is exposed: per steradian, in units of the sun's irradiance beyond the air.
+    Radiance,
     /// 0 land, 1 ocean, 2 lake; NaN in the sky.
     Class,
     /// Weight of the far (Perlin) field; NaN in the sky.
@@ -43,7 +45,7 @@ impl LayerName {
             Self::Mask => Output::Mask,
             Self::Height => Output::Height,
             Self::Normal => Output::Normal,
-            Self::Luminance => Output::Picture,
+            Self::Luminance | Self::Radiance => Output::Picture,
             Self::Class => Output::Class,
             Self::PerlinWeight => Output::PerlinWeight,
         }
@@ -173,9 +175,10 @@ pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer
     let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
     let texels = bytes.chunks_exact(16).map(|t| bytemuck::pod_read_unaligned::<[f32; 4]>(t).map(f64::from));
     let sky = |t: &[f64; 4]| t[3] == 0.0;
+    let exposure = f64::from(frame.uniform.exposure);
     let (channels, values): (usize, Vec<f64>) = match layer {
+        LayerName::Radiance => (3, texels.flat_map(|t| [t[0], t[1], t[2]].map(|part| part / exposure)).collect()),
         LayerName::Luminance => {
-            let exposure = f64::from(frame.uniform.exposure);
             (1, texels.map(|t| (0.2126 * t[0] + 0.7152 * t[1] + 0.0722 * t[2]) / exposure).collect())
         }
         LayerName::Lonlat => {

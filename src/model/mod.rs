@@ -7,6 +7,7 @@
 pub mod beach;
 pub mod cascade;
 pub mod cuboid;
+pub mod daylight;
 pub mod dispersion;
 pub mod drawn_patches;
 pub mod earth;

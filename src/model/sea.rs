@@ -1,10 +1,10 @@
 //! A sea: what decides the shape of its waves.
 //!
-//! The wind sea's height is the Beaufort table's for the wind, whatever the spectrum, unless a fetch is given: then it is the height of
-//! [JONSWAP's growth](Jonswap::from_fetch) over that fetch, or over the shorter one that grows the sea fully. Each spectrum finds the
-//! parameters that give this height: JONSWAP its fetch, Pierson and Moskowitz's their wind, Elfouhaily's its wave age. TMA is the
-//! JONSWAP sea of this height *run onto a shelf* of [`SHELF_DEPTH_M`], so that it is lower there. Short waves have the slopes that
-//! [Cox and Munk](crate::bibliography::CoxMunk1954) measured. A swell adds its energy.
+//! The wind sea's height is the Beaufort table's for the wind, and its peak that of [Toba's law](sea_state::peak_period) for both,
+//! whatever the spectrum. If a fetch is given, height and peak are those of [JONSWAP's growth](Jonswap::from_fetch) over that fetch, or
+//! over the shorter one that grows the sea fully; Pierson and Moskowitz's and Elfouhaily's then have the peak that their own growth gives
+//! to the height. TMA is the JONSWAP sea *run onto a shelf* of [`SHELF_DEPTH_M`], so that it is lower there. Short waves have the slopes
+//! that [Cox and Munk](crate::bibliography::CoxMunk1954) measured. A swell adds its energy.
 
 use super::spectrum::{
     DAMPING_M, Directed, DirectionalSpectrum, Elfouhaily, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain,
@@ -21,19 +21,19 @@ pub const SHELF_DEPTH_M: f64 = 15.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpectrumKind {
     /// Phillips' equilibrium form with Tessendorf's long-wave cut.
-    #[default]
     Phillips,
     /// Pierson and Moskowitz: a fully grown sea.
     PiersonMoskowitz,
     /// JONSWAP: a sea that grows with fetch.
+    #[default]
     Jonswap,
     /// TMA: JONSWAP in shallow water.
     Tma,
     /// Elfouhaily and others: one spectrum from swell to ripples.
     Elfouhaily,
-    /// A sum of sines; the waves are Phillips'.
+    /// A sum of sines; not drawn yet.
     Sines,
-    /// A sum of Gerstner waves; the waves are Phillips'.
+    /// A sum of Gerstner waves; not drawn yet.
     Gerstner,
 }
 
@@ -49,7 +49,7 @@ impl SpectrumKind {
         (Self::Gerstner, "gerstner"),
     ];
 
-    /// Whether the sea is drawn with this spectrum; one that is not is drawn as Phillips'.
+    /// Whether the sea is drawn with this spectrum; one that is not is drawn as JONSWAP's.
     pub fn is_drawn(self) -> bool {
         !matches!(self, Self::Sines | Self::Gerstner)
     }
@@ -88,14 +88,14 @@ pub struct Sea {
 }
 
 impl Sea {
-    /// The sea that a wind speed in m/s raises, with the Beaufort table's height: [`SpectrumKind::Phillips`], deep water.
+    /// The sea that a wind speed in m/s raises, with the Beaufort table's height: the usual spectrum, deep water.
     pub fn from_wind(speed_mps: f64, seed: u32, chop: f64) -> Self {
         Self {
             speed_mps,
             hs_m: sea_state::significant_height(speed_mps),
             seed,
             chop,
-            kind: SpectrumKind::Phillips,
+            kind: SpectrumKind::default(),
             fetch_m: None,
             depth_m: f64::INFINITY,
             swell: None,
@@ -139,14 +139,19 @@ impl Sea {
 
     /// The JONSWAP sea of this wind in deep water: of its fetch, or of the table's height; `None` for a calm.
     pub fn grown(&self) -> Option<Jonswap> {
-        let (u10, table) = (usable(self.speed_mps), sea_state::significant_height(self.speed_mps));
+        self.grown_to(sea_state::significant_height(self.speed_mps))
+    }
+
+    /// As [`Sea::grown`], with a height in m in place of the table's.
+    fn grown_to(&self, hs_m: f64) -> Option<Jonswap> {
+        let u10 = usable(self.speed_mps);
         // Below 1 mm/s the formulas leave f64's range before the sea leaves a calm.
-        if u10 < 1e-3 {
+        if u10 < 1e-3 || hs_m <= 0.0 {
             return None;
         }
         Some(match self.fetch_m {
             Some(fetch) => Jonswap::from_fetch(u10, fetch.min(Jonswap::longest_fetch(u10))),
-            None => Jonswap::from_height(u10, table),
+            None => Jonswap::from_height(hs_m, sea_state::peak_period(u10, hs_m)),
         })
     }
 
@@ -159,34 +164,35 @@ impl Sea {
     fn wind_spectrum(&self) -> WindSpectrum {
         let (u10, hs) = (usable(self.speed_mps), usable(self.wind_height_m()));
         let mss = optics::cox_munk_mss(u10).total;
-        let Some(grown) = self.grown().filter(|_| hs > 0.0) else {
+        // On a shelf the height is lower than that of the sea that has run onto it.
+        let grown = if self.kind == SpectrumKind::Tma { self.grown() } else { self.grown_to(hs) };
+        let Some(grown) = grown.filter(|_| hs > 0.0) else {
             return WindSpectrum::Phillips(Phillips::CALM);
         };
         match self.kind {
             SpectrumKind::PiersonMoskowitz => {
-                let sea = directed(PiersonMoskowitz::from_height(hs));
-                WindSpectrum::PiersonMoskowitz(SlopeTrue::new(sea, hs, mss, DAMPING_M))
+                let sea = match self.fetch_m {
+                    Some(_) => PiersonMoskowitz::from_height(hs),
+                    None => PiersonMoskowitz::from_peak(grown.omega_p),
+                };
+                WindSpectrum::PiersonMoskowitz(SlopeTrue::new(directed(sea), hs, mss, DAMPING_M))
             }
-            SpectrumKind::Jonswap => {
-                // A height set by hand has its own fetch.
-                let sea = if self.fetch_m.is_some() { grown } else { Jonswap::from_height(u10, hs) };
-                WindSpectrum::Jonswap(SlopeTrue::new(directed(sea), hs, mss, DAMPING_M))
+            SpectrumKind::Jonswap | SpectrumKind::Sines | SpectrumKind::Gerstner => {
+                WindSpectrum::Jonswap(SlopeTrue::new(directed(grown), hs, mss, DAMPING_M))
             }
             SpectrumKind::Tma => {
                 let sea = directed(Tma::new(grown, self.depth_m));
                 WindSpectrum::Tma(SlopeTrue::new(sea, hs, mss, DAMPING_M))
             }
-            // It has its own end of the shortest waves.
             SpectrumKind::Elfouhaily => {
-                WindSpectrum::Elfouhaily(SlopeTrue::new(Elfouhaily::from_height(u10, hs), hs, mss, 0.0))
+                let sea = match self.fetch_m {
+                    Some(_) => Elfouhaily::from_height(u10, hs),
+                    None => Elfouhaily::from_peak(u10, grown.omega_p),
+                };
+                // It has its own end of the shortest waves.
+                WindSpectrum::Elfouhaily(SlopeTrue::new(sea, hs, mss, 0.0))
             }
-            SpectrumKind::Phillips | SpectrumKind::Sines | SpectrumKind::Gerstner => {
-                WindSpectrum::Phillips(if self.fetch_m.is_some() {
-                    Phillips::with_peak(u10, hs, directed(grown).peak_wavenumber())
-                } else {
-                    Phillips::new(u10, hs)
-                })
-            }
+            SpectrumKind::Phillips => WindSpectrum::Phillips(Phillips::new(u10, hs, directed(grown).peak_wavenumber())),
         }
     }
 }

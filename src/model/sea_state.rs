@@ -1,5 +1,7 @@
 //! The wind and the sea it makes: Beaufort grades, wave height by wind speed, wind components.
 
+use super::GRAVITY;
+
 /// The wind speed from which each Beaufort grade counts, m/s: grade B begins at `LOWER_BOUNDS[B]`
 /// ([WMO](crate::bibliography::WmoBeaufort); half-open, so that no speed falls between two grades).
 pub const LOWER_BOUNDS: [f64; 13] = [0.0, 0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7];
@@ -78,6 +80,22 @@ fn knot_slope(speeds: &[f64; 13], knot: usize) -> f64 {
             (w0 + w1) / (w0 / d0 + w1 / d1)
         }
     }
+}
+
+/// u*, m/s, of a wind speed in m/s at 10 m over the sea: √C_D U₁₀ with [Wu's](crate::bibliography::Wu1982) drag coefficient
+/// C_D = (0.8 + 0.065 U₁₀)·10⁻³, which in a storm grows no further than [Donelan's](crate::bibliography::Donelan2004) 2.5·10⁻³.
+pub fn friction_velocity(speed_mps: f64) -> f64 {
+    let speed = speed_mps.max(0.0);
+    libm::sqrt((0.8e-3 + 0.065e-3 * speed).min(2.5e-3)) * speed
+}
+
+/// Period of the peak, s, of a sea as high as `hs_m`, m, under a wind speed in m/s at 10 m; 0 without one of them.
+///
+/// [Toba's 3/2-power law](crate::bibliography::Toba1972) between height and significant period, Hs = 0.062 (g u*)^½ T^(3/2): whatever its
+/// age, a wind sea is as steep as its wind makes it. Its peak is at 1.05 T ([Goda](crate::bibliography::Goda2010), after Mitsuyasu).
+pub fn peak_period(speed_mps: f64, hs_m: f64) -> f64 {
+    let steep = 0.062 * libm::sqrt(GRAVITY * friction_velocity(speed_mps));
+    if hs_m > 0.0 && steep > 0.0 { 1.05 * libm::pow(hs_m / steep, 2.0 / 3.0) } else { 0.0 }
 }
 
 /// Wind components (u to the east, v to the north), m/s, of a wind that blows FROM a bearing (radians clockwise from north).

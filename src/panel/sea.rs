@@ -76,7 +76,7 @@ fn spectrum(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
         for (spectrum, name) in Spectrum::ALL {
             ui.add_enabled_ui(spectrum.is_drawn(), |ui| {
                 let label = ui.selectable_value(&mut settings.spectrum, spectrum, name);
-                label.on_disabled_hover_text("Kept in the link; drawn as phillips in this version");
+                label.on_disabled_hover_text("Kept in the link; drawn as jonswap in this version");
             });
         }
     });

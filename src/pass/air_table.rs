@@ -1,9 +1,10 @@
-//! What the air does to light whoever looks, tabulated once: transmittance by height and zenith cosine, and the light that has
+//! What the air does to light whoever looks, tabulated once for a haze: transmittance by height and zenith cosine, and the light that has
 //! been scattered before by height and the sun's zenith cosine. Whoever fills them otherwise changes nobody who reads them.
 
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
+use crate::scene::frame::FrameUniform;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Zenith cosines × heights, as S. Hillaire 2020.
@@ -20,7 +21,9 @@ pub fn source() -> String {
 pub struct AirTable {
     pipelines: [Compute; 2],
     written: wgpu::BindGroup,
-    done: bool,
+    /// Haze that the tables are of.
+    made: Option<f32>,
+    due: bool,
     /// Towards the top of the air, which drawing passes read too.
     pub transmittance: wgpu::TextureView,
     /// Light that has been scattered before.
@@ -47,17 +50,23 @@ impl AirTable {
         let written = gpu.bind("air table", &storage, &resources);
         let group = gpu.bind("air", &layout, &resources);
         let [transmittance, multiple] = views;
-        Self { pipelines, written, done: false, transmittance, multiple, layout, group }
+        Self { pipelines, written, made: None, due: false, transmittance, multiple, layout, group }
+    }
+
+    /// Looks whether a frame needs other tables than there are.
+    pub fn prepare(&mut self, frame: &FrameUniform) {
+        self.due = self.made != Some(frame.haze);
+        self.made = Some(frame.haze);
     }
 
     /// Dispatches that the next [`AirTable::dispatch`] makes.
     pub fn dispatches(&self) -> usize {
-        if self.done { 0 } else { self.pipelines.len() }
+        if self.due { self.pipelines.len() } else { 0 }
     }
 
-    /// Fills the tables the first time; nothing afterwards.
+    /// Makes the tables, where they are not there.
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup) {
-        if std::mem::replace(&mut self.done, true) {
+        if !std::mem::take(&mut self.due) {
             return;
         }
         pass.set_bind_group(0, frame, &[]);

@@ -1,8 +1,9 @@
-//! Skylight at sea level, tabulated once: radiance by view and sun, irradiance by sun.
+//! Skylight at sea level, tabulated once for a haze: radiance by view and sun, irradiance by sun.
 
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
+use crate::scene::frame::FrameUniform;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 const VIEWS: u32 = 32;
@@ -19,7 +20,9 @@ pub fn source() -> String {
 pub struct SkyTable {
     pipelines: [Compute; 2],
     group: wgpu::BindGroup,
-    done: bool,
+    /// Haze that the tables are of.
+    made: Option<f32>,
+    due: bool,
     /// View zenith cosine × azimuth from the sun × sun zenith cosine.
     pub radiance: wgpu::TextureView,
     /// By sun zenith cosine.
@@ -39,17 +42,23 @@ impl SkyTable {
         let irradiance = texture::view(&gpu.texture("sky irradiance", Shape::picture(IRRADIANCES, 1), FORMAT, usage));
         let views = [&radiance, &irradiance].map(wgpu::BindingResource::TextureView);
         let group = gpu.bind("sky table", &layout, &views);
-        Self { pipelines, group, done: false, radiance, irradiance }
+        Self { pipelines, group, made: None, due: false, radiance, irradiance }
+    }
+
+    /// Looks whether a frame needs other tables than there are.
+    pub fn prepare(&mut self, frame: &FrameUniform) {
+        self.due = self.made != Some(frame.haze);
+        self.made = Some(frame.haze);
     }
 
     /// Dispatches that the next [`SkyTable::dispatch`] makes.
     pub fn dispatches(&self) -> usize {
-        if self.done { 0 } else { self.pipelines.len() }
+        if self.due { self.pipelines.len() } else { 0 }
     }
 
-    /// Fills the tables the first time; nothing afterwards.
+    /// Makes the tables, where they are not there.
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, air: &wgpu::BindGroup) {
-        if std::mem::replace(&mut self.done, true) {
+        if !std::mem::take(&mut self.due) {
             return;
         }
         pass.set_bind_group(0, frame, &[]);

@@ -10,7 +10,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Azimuths on one side of the sun, which stands for the other.
 const AZIMUTHS: u32 = 32;
 /// And elevations.
-const ROWS: u32 = 80;
+const ROWS: u32 = 96;
 /// Azimuths × elevations of the sky.
 const SKY: [u32; 2] = [AZIMUTHS, ROWS];
 /// Azimuths, with two columns for the transmittance, × elevations, two fifths of them above the horizon (`haze_first_above`), × distances.
@@ -21,12 +21,13 @@ pub fn source() -> String {
     shader::composed(include_str!("../../shaders/sky_view.wgsl"), "")
 }
 
-/// What the tables depend on: the ellipsoid about the eye, the sun, and how deep troughs are.
+/// What the tables depend on: the ellipsoid about the eye, the sun, how deep troughs are, and the haze.
 #[derive(Clone, Copy, PartialEq)]
 struct Made {
     quadric: [glam::Vec3; 3],
     heights: [f32; 3],
     sun: glam::Vec3,
+    haze: f32,
 }
 
 impl Made {
@@ -34,6 +35,7 @@ impl Made {
         Self {
             quadric: [u.quadric_diagonal, u.quadric_mixed, u.quadric_gradient],
             heights: [u.quadric_constant, u.eye_altitude, u.crest_height],
+            haze: u.haze,
             sun: u.sun,
         }
     }

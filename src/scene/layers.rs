@@ -11,12 +11,19 @@ pub enum Layer {
     Sky,
     /// The data credits over the picture.
     Credits,
+    /// The foam on the sea.
+    Foam,
 }
 
 impl Layer {
     /// Every layer with its id in links.
-    pub const ALL: [(Self, &'static str); 4] =
-        [(Self::Land, "land"), (Self::Sea, "sea"), (Self::Sky, "sky"), (Self::Credits, "credits")];
+    pub const ALL: [(Self, &'static str); 5] = [
+        (Self::Land, "land"),
+        (Self::Sea, "sea"),
+        (Self::Sky, "sky"),
+        (Self::Credits, "credits"),
+        (Self::Foam, "foam"),
+    ];
 
     fn bit(self) -> u32 {
         1 << self as u32

@@ -117,6 +117,9 @@ impl Quality {
     ];
 }
 
+/// The haziest air that may be chosen: a plume of smoke or dust.
+pub const HAZIEST: f64 = 0.5;
+
 /// All choices that shape the sea and the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -144,6 +147,8 @@ pub struct Settings {
     pub quality: Quality,
     /// What is drawn.
     pub layers: Layers,
+    /// Optical depth of the air's aerosol at 550 nm, straight up, 0 to [`HAZIEST`]: 0.05 to 0.2 over oceans.
+    pub haze: f64,
     /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3. Not part of a link.
     pub water_density_per_m: f64,
 }
@@ -163,6 +168,7 @@ impl Default for Settings {
             triangles: Triangles::default(),
             quality: Quality::default(),
             layers: Layers::default(),
+            haze: 0.08,
             water_density_per_m: 0.2,
         }
     }

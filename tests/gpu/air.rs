@@ -4,8 +4,10 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::daylight;
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::pass::air_table::AirTable;
+use ocean_globe::pass::sky_table::SkyTable;
 use ocean_globe::pass::sky_view::SkyView;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
@@ -100,6 +102,7 @@ impl Comparison {
     fn run(&mut self, frame: &Frame, rays: &[Ray]) -> [Vec<[f32; 4]>; 4] {
         let uniform = self.gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
         let group = frame_group(&self.gpu, &self.layouts[0], &uniform, &frame.wave_cells);
+        self.air.prepare(&frame.uniform);
         self.view.prepare(&frame.uniform);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
@@ -226,4 +229,76 @@ fn a_turning_head_and_a_stopped_clock_need_no_other_tables() {
     assert_eq!(dispatches(Camera { altitude_m: 1.1 * camera.altitude_m, ..camera }, unix_seconds), 2);
     // The sun moves by a degree in four minutes.
     assert_eq!(dispatches(Camera { altitude_m: 1.1 * camera.altitude_m, ..camera }, unix_seconds + 240.0), 2);
+}
+
+/// Of a sun's zenith cosine: light of sun and sky on level ground.
+const METER: &str = "#import light
+@group(2) @binding(0) var<storage, read> suns: array<f32>;
+@group(2) @binding(1) var<storage, read_write> lit: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> skies: array<vec4f>;
+@compute @workgroup_size(64)
+fn meter(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&suns) { return; }
+    let light = daylight_at(suns[id.x]);
+    lit[id.x] = vec4f(light.sun * max(suns[id.x], 0.0), 1.0);
+    skies[id.x] = vec4f(light.sky, 1.0);
+}";
+
+/// Irradiances of level ground by sun and sky, as luminance, for sines of the sun's elevation.
+fn daylight_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[f64; 2]> {
+    use wgpu::TextureViewDimension::{D2, D3};
+    let Comparison { gpu, layouts: [frame_layout, _], mut air, .. } = Comparison::new();
+    let mut sky = SkyTable::new(&gpu, &frame_layout, &air.layout);
+    let mut binds = [Bind::Texture(D2); 10];
+    (binds[5], binds[8]) = (Bind::Texture(D3), Bind::Texture(D3));
+    let layout = gpu.layout("tables", wgpu::ShaderStages::COMPUTE, &binds);
+    let mut views = [&air.transmittance; 10];
+    (views[5], views[6], views[8]) = (&sky.radiance, &sky.irradiance, &sky.radiance);
+    let tables = gpu.bind("tables", &layout, &views.map(wgpu::BindingResource::TextureView));
+    let kernel: Kernel<2> = Kernel::new(&gpu, &shader::composed(METER, ""), "meter", &[&frame_layout, &layout]);
+    let frame = Frame::new(settings, &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64, 64]);
+    let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+    let group = frame_group(&gpu, &frame_layout, &uniform, &frame.wave_cells);
+    air.prepare(&frame.uniform);
+    sky.prepare(&frame.uniform);
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        air.dispatch(&mut pass, &group);
+        sky.dispatch(&mut pass, &group, &air.group);
+    }
+    gpu.queue.submit([encoder.finish()]);
+    let [lit, skies] = kernel.run::<f32, [f32; 4]>(&gpu, &[&group, &tables], suns);
+    let luminance = |[r, g, b, _]: [f32; 4]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    lit.into_iter().zip(skies).map(|(sun, sky)| [luminance(sun), luminance(sky)]).collect()
+}
+
+#[test]
+fn the_meter_reads_what_the_tables_hold() {
+    let suns: Vec<f32> =
+        [-12.0f32, -6.0, -3.0, 0.0, 2.0, 5.0, 10.0, 20.0, 40.0, 60.0, 90.0].map(|deg| deg.to_radians().sin()).into();
+    let found = daylight_of_the_tables(&Settings::default(), &suns);
+    for (mu, [sun, sky]) in suns.iter().zip(&found) {
+        let metered = daylight::irradiance(f64::from(*mu));
+        println!(
+            "sun at {:.1} deg: {sun:.4} + {sky:.4} = {:.4}, metered {metered:.4}",
+            mu.asin().to_degrees(),
+            sun + sky
+        );
+        // By day a sixth of a stop; then half of one, and the night has its own light.
+        if *mu > 0.17 {
+            assert!((metered / (sun + sky) - 1.0).abs() < 0.12, "{mu}: {metered} of {}", sun + sky);
+        } else if *mu > -0.06 {
+            let light = sun + sky;
+            assert!((metered.hypot(0.03) / light.hypot(0.03) - 1.0).abs() < 0.4, "{mu}: {metered} of {light}");
+        }
+    }
+    // With the sun at 40 degrees the clear sky over an ocean gives 0.18 of the light (a spectral model's 0.15 to 0.21).
+    let [sun, sky] = found[8];
+    assert!((sky / (sun + sky) - 0.18).abs() < 0.03, "{}", sky / (sun + sky));
+    // Haze takes light from the beam and gives most of it to the sky.
+    let [hazy_sun, hazy_sky] = daylight_of_the_tables(&Settings { haze: 0.2, ..Settings::default() }, &suns)[8];
+    println!("in haze {hazy_sun:.4} + {hazy_sky:.4}");
+    assert!((hazy_sun / sun / (-0.12f64 / 0.643).exp() - 1.0).abs() < 0.02, "{hazy_sun} of {sun}");
+    assert!(hazy_sky > 1.4 * sky && hazy_sun + hazy_sky < sun + sky, "{hazy_sky} of {sky}");
 }

@@ -2,7 +2,9 @@
 //! patches' shares of the energy.
 
 use ocean_globe::model::{
-    optics, sea_state,
+    dispersion, optics,
+    sea::SpectrumKind,
+    sea_state,
     spectrum::{DirectionalSpectrum, Phillips},
     waves::*,
 };
@@ -39,8 +41,10 @@ fn phillips_amplitude_in_closed_form() {
 #[test]
 fn spectrum_keeps_height_and_slopes() {
     for speed in [0.3, 0.836, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0, 35.0, 60.0] {
-        let sea = sea(speed, 0);
-        let spectrum = Phillips::new(sea.speed_mps, sea.hs_m);
+        let sea = Sea { kind: SpectrumKind::Phillips, ..sea(speed, 0) };
+        let peak_s = sea_state::peak_period(speed, sea.hs_m);
+        let peak = dispersion::wavenumber(std::f64::consts::TAU / peak_s, f64::INFINITY);
+        let spectrum = Phillips::new(speed, sea.hs_m, peak);
         assert_eq!(sea.spectrum().density(0.3, 0.1), spectrum.density(0.3, 0.1), "it is what the sea is drawn with");
         // Two Simpson rules of different steps against each other; the tail's kink costs the coarser its order.
         assert!((spectrum.significant_height() / sea.hs_m - 1.0).abs() < 1e-4, "{speed} m/s");
@@ -66,10 +70,14 @@ fn spectrum_keeps_height_and_slopes() {
         }
         assert!((Sampled(spectrum).omnidirectional(k) / spectrum.omnidirectional(k) - 1.0).abs() < 1e-12);
     }
-    // In a breeze L is U²/g and the peak period that of ω_p⁴ = 0.8 g²/L², 7.0 s at 10.2 m.
-    let breeze = Phillips::new(10.0, 2.0);
-    assert_eq!(breeze.l, 100.0 / 9.80665);
-    assert!((breeze.peak_period() - std::f64::consts::TAU / (0.8f64.powf(0.25) * 9.80665 / 10.0)).abs() < 1e-9);
+    // ω_p⁴ = 0.8 g²/L²: a sea whose L is U²/g has its peak at 7.0 s at 10.2 m.
+    let omega = 0.8f64.powf(0.25) * 9.80665 / 10.0;
+    let breeze = Phillips::new(10.0, 2.0, omega * omega / 9.80665);
+    assert!((breeze.l - 100.0 / 9.80665).abs() < 1e-12);
+    assert!((breeze.peak_period() - std::f64::consts::TAU / omega).abs() < 1e-9);
+    // Two metres on waves of a metre would be a wall: its waves get longer.
+    let steep = Phillips::new(10.0, 2.0, std::f64::consts::TAU);
+    assert!(steep.l > 4.0 && (steep.significant_height() / 2.0 - 1.0).abs() < 1e-4, "{}", steep.l);
 }
 
 #[test]

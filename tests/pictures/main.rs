@@ -5,6 +5,7 @@ mod bench;
 mod flight;
 mod hidden_window;
 mod horizon;
+mod light;
 mod luminance;
 mod meshes;
 mod relief;

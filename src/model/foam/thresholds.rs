@@ -8,12 +8,14 @@ use super::{Fold, GROWTH_S};
 use crate::model::{cascade::Cascade, dispersion, noise, spectrum::DirectionalSpectrum};
 
 /// Independent rest points.
-pub const POINTS: usize = 2048;
+pub const POINTS: usize = 6144;
 /// Instants of each and the time between them, s.
-pub const INSTANTS: usize = 64;
+pub const INSTANTS: usize = 32;
 const STEP_S: f64 = 0.15;
 /// Bands of wave numbers, from below the peak to [`SHORTEST_TEXELS`] of the finest level.
 const BANDS: usize = 12;
+/// Parts of a band that its variance is summed from.
+const PARTS: usize = 8;
 /// Waves of fewer texels than this move no level.
 const SHORTEST_TEXELS: f64 = 1.5;
 /// A patch shorter than so many texels moves a level by next to nothing: its longest waves are a sixth of it. Equals
@@ -162,18 +164,31 @@ fn components<const N: usize>(
     let ratio = libm::pow(to / from, 1.0 / BANDS as f64);
     for band in 0..BANDS {
         let k0 = from * libm::pow(ratio, band as f64);
-        let k = k0 * libm::sqrt(ratio);
-        let Some(patch) = patches.iter().find(|patch| k < patch.k_max) else { break };
-        let energy = spectrum.omnidirectional(k) * k0 * (ratio - 1.0);
-        let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
-        let total: f64 = density.iter().sum();
-        for (angle, density) in DIRECTIONS.iter().zip(density).filter(|_| total > 0.0) {
+        // Slope variance that each level sees of the waves of each direction. A band is wider than the spectrum's peak and than the
+        // end of what a texel sees, and a little too much variance is half as many whitecaps again: summed in parts.
+        let mut seen = [[0.0; N]; DIRECTIONS.len()];
+        let part = libm::pow(ratio, 1.0 / PARTS as f64);
+        for index in 0..PARTS {
+            let k = k0 * libm::pow(part, index as f64 + 0.5);
+            let Some(patch) = patches.iter().find(|patch| k < patch.k_max) else { break };
+            let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
+            let total: f64 = density.iter().sum();
+            let slopes = k * k * spectrum.omnidirectional(k) * k * libm::log(part);
+            for ((angle, density), seen) in DIRECTIONS.iter().zip(density).zip(&mut seen).filter(|_| total > 0.0) {
+                let (sin, cos) = libm::sincos(*angle);
+                for (seen, texel_m) in seen.iter_mut().zip(texels_m) {
+                    let kept = kept(patch, texel_m, k * cos, k * sin);
+                    *seen += slopes * density / total * kept * kept;
+                }
+            }
+        }
+        let omega = dispersion::omega_deep(k0 * libm::sqrt(ratio));
+        for (angle, seen) in DIRECTIONS.iter().zip(seen).filter(|(_, seen)| seen.iter().any(|seen| *seen > 0.0)) {
             let (sin, cos) = libm::sincos(*angle);
             // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
-            let slope = k * libm::sqrt(energy * density / total);
-            let kept = texels_m.map(|texel_m| kept(patch, texel_m, k * cos, k * sin));
-            let gradient = [cos * cos, sin * sin, sin * cos].map(|part| kept.map(|kept| (-slope * part * kept) as f32));
-            waves.push(Component { gradient, omega: dispersion::omega_deep(k) });
+            let gradient =
+                [cos * cos, sin * sin, sin * cos].map(|part| seen.map(|seen| (-part * libm::sqrt(seen)) as f32));
+            waves.push(Component { gradient, omega });
         }
     }
     waves

@@ -57,6 +57,14 @@ impl Elfouhaily {
         }
     }
 
+    /// The sea of a wind in m/s whose peak is at the angular frequency `omega_p`, rad/s, both positive: Ω = U₁₀ ω_p/g within
+    /// [`WAVE_AGES`]; where even the oldest sea is too young, it is the sea of a stronger wind, and the other way round.
+    pub fn from_peak(u10: f64, omega_p: f64) -> Self {
+        let c_p = GRAVITY / omega_p;
+        let wave_age = (u10 / c_p).clamp(WAVE_AGES.0, WAVE_AGES.1);
+        Self::new(wave_age * c_p, wave_age)
+    }
+
     /// The sea of a wind in m/s whose significant height comes nearest to `hs_m`, m, both positive: by its wave age within
     /// [`WAVE_AGES`]; where even the oldest sea is too low, it is the sea of a stronger wind.
     pub fn from_height(u10: f64, hs_m: f64) -> Self {

@@ -38,18 +38,11 @@ impl Jonswap {
         Self::from_dimensionless_fetch(u10, GRAVITY * fetch_m / (u10 * u10))
     }
 
-    /// The sea of a wind in m/s whose significant height in metres is `hs_m`, both positive: the fetch that gives it, even where
-    /// it is longer than the sea needs to be fully grown.
-    pub fn from_height(u10: f64, hs_m: f64) -> Self {
-        Self::from_fetch(u10, Self::fetch_for_height(u10, hs_m))
-    }
-
-    /// That fetch, m, in closed form: m0 = 0.076 I₀ χ^(4/3 − 0.22) U⁴/(22⁴ g²).
-    pub fn fetch_for_height(u10: f64, hs_m: f64) -> f64 {
-        let m0 = hs_m * hs_m / 16.0;
-        let u2 = u10 * u10;
-        let chi = libm::pow(m0 * GRAVITY * GRAVITY / (u2 * u2) * 234_256.0 / (0.076 * I0), 1.0 / (4.0 / 3.0 - 0.22));
-        chi * u2 / GRAVITY
+    /// The sea of significant height `hs_m`, m, with its peak at the period `peak_s`, s, both positive: α = m0 ω_p⁴/(g² I₀).
+    pub fn from_height(hs_m: f64, peak_s: f64) -> Self {
+        let omega_p = std::f64::consts::TAU / peak_s;
+        let root = hs_m / 4.0 * omega_p * omega_p / GRAVITY;
+        Self::new(root * root / I0, omega_p, Self::GAMMA)
     }
 
     /// The longest fetch over which a wind's sea still grows, m: where ν has come down to [`SMALLEST_PEAK_SPEED`].

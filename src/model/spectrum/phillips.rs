@@ -1,15 +1,15 @@
 //! Phillips' spectrum as renderers use it, with a true height and true slopes.
 
 use super::{DirectionalSpectrum, K_CALM, K_SHORTEST, TAIL_EXPONENTS, TAIL_START};
-use crate::model::{GRAVITY, optics, quadrature::simpson_log};
+use crate::model::{optics, quadrature::simpson_log};
 
 /// [Phillips'](crate::bibliography::Phillips1958) equilibrium range with the cut-off renderers know from
 /// [Tessendorf](crate::bibliography::Tessendorf2001), an amplitude that gives a wanted height, and a slope-true tail:
 ///
 /// F = A k⁻⁴ exp(−1/(kL)²) D(k, θ) · upwind(θ) · exp(−k²ℓ²) · tail(k)
 ///
-/// * L = U²/g. In light winds the table's height on so short a wave would be steeper than water stands, so L grows until the
-///   waves below 10 kp hold no more than [`STEEPEST_SHARE`] of the slopes that Cox and Munk measured.
+/// * L puts the frequency spectrum's peak where it is wanted. A height on too short a wave would be steeper than water stands, so L
+///   grows until the waves below 10 kp hold no more than [`STEEPEST_SHARE`] of the slopes that Cox and Munk measured.
 /// * upwind = 1 for kx > 0, else the given share (0: nothing runs against the wind).
 /// * tail = 1 up to 10 kp and (k/10kp)^q beyond, with q such that ∫∫ k²F = [Cox and Munk's](crate::bibliography::CoxMunk1954)
 ///   mean square slope; q = 1/2 would be [Toba's](crate::bibliography::Toba1973) k⁻³·⁵. q stays in [`TAIL_EXPONENTS`].
@@ -45,33 +45,18 @@ impl Phillips {
     /// No waves.
     pub const CALM: Self = Self { a: 0.0, l: 0.0, damping_m: DAMPING_M, upwind: 0.0, k_tail: 0.0, tail: 0.0 };
 
-    /// The sea at wind speed `speed_mps` with significant height `hs_m`: slope-true, nothing against the wind.
-    /// Speeds and heights that are negative or not finite count as a calm.
-    pub fn new(speed_mps: f64, hs_m: f64) -> Self {
-        let usable = |x: f64| if x.is_finite() { x.max(0.0) } else { 0.0 };
-        let (speed, hs) = (usable(speed_mps), usable(hs_m));
-        if speed == 0.0 || hs == 0.0 {
+    /// The sea at wind speed `speed_mps` with significant height `hs_m`, m: slope-true, nothing against the wind, the frequency
+    /// spectrum's peak at wave number `peak` (rad/m) where that is not too steep for the wind's slopes.
+    /// What is not positive and finite counts as a calm.
+    pub fn new(speed_mps: f64, hs_m: f64, peak: f64) -> Self {
+        let usable = |x: f64| x.is_finite() && x > 0.0;
+        if ![speed_mps, hs_m, peak].into_iter().all(usable) {
             return Self::CALM;
         }
-        Self::slope_true(speed, hs, speed * speed / GRAVITY)
-    }
-
-    /// As [`Phillips::new`], with the frequency spectrum's peak at wave number `peak` (rad/m, positive) where that is not too
-    /// steep for the wind's slopes.
-    pub fn with_peak(speed_mps: f64, hs_m: f64, peak: f64) -> Self {
-        let usable = |x: f64| x.is_finite() && x > 0.0;
-        if [speed_mps, hs_m, peak].into_iter().all(usable) {
-            return Self::slope_true(speed_mps, hs_m, PEAK_KL / peak);
-        }
-        Self::CALM
-    }
-
-    /// `new` with a wish for L in place of U²/g; all arguments positive.
-    fn slope_true(speed: f64, hs: f64, wanted_l: f64) -> Self {
-        let mss = optics::cox_munk_mss(speed).total;
+        let (hs, mss) = (hs_m, optics::cox_munk_mss(speed_mps).total);
         // Without a tail mss(<10kp) = Hs²/(8 L²) · SLOPE_INTEGRAL_TO_TAIL.
         let least_l = hs * libm::sqrt(SLOPE_INTEGRAL_TO_TAIL / (8.0 * STEEPEST_SHARE * mss));
-        let l = wanted_l.max(least_l);
+        let l = (PEAK_KL / peak).max(least_l);
         if l.is_nan() || PEAK_KL / l >= K_CALM {
             return Self::CALM;
         }

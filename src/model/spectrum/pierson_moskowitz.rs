@@ -29,6 +29,11 @@ impl PiersonMoskowitz {
         Self { speed_19_5: libm::sqrt(u2) }
     }
 
+    /// The sea whose peak is at the angular frequency `omega_p`, rad/s, positive.
+    pub fn from_peak(omega_p: f64) -> Self {
+        Self { speed_19_5: Self::PEAK * GRAVITY / omega_p }
+    }
+
     /// Significant height in closed form, m.
     pub fn height(&self) -> f64 {
         let u2 = self.speed_19_5 * self.speed_19_5;

@@ -8,12 +8,12 @@ use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::{self, MAX_CELLS};
-use crate::model::{sea_state, sun};
+use crate::model::{daylight, sea_state, sun};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
-use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
+use crate::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 use crate::scene::view::map_tiles::RELIEF_M;
 use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
@@ -93,9 +93,12 @@ impl Frame {
             && (camera.altitude_m < -sea.crest_m()
                 || camera.altitude_m < seas.surface_height(settings, camera, unix_seconds));
         uniform.under_water = u32::from(below);
-        let may_show = settings.foam.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
-        let whitecaps = seas.whitecaps(settings.foam, &sea, may_show);
-        let foam_lifetime_s = set_foam(&mut uniform, settings, camera, &whitecaps, &foam_eye);
+        let shown = settings.layers.shows(Layer::Foam);
+        let wanted = if shown { settings.foam } else { Foam { amount: 0.0, rule: FoamRule::Folding, ..settings.foam } };
+        let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
+        let whitecaps = seas.whitecaps(wanted, &sea, may_show);
+        let foam_lifetime_s = set_foam(&mut uniform, wanted, camera, &whitecaps, &foam_eye);
+        (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
         Self {
             camera: *camera,
@@ -245,20 +248,23 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
     (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
 }
 
+/// Irradiance that pictures of the night are exposed for, of the sun's beyond the air.
+const DARKEST_EXPOSED: f64 = 0.03;
+
 fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
     let sun = sun::sun_direction_ecef(unix_seconds);
     // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
     let steps = f64::from(1 << 13);
     u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
-    // The eye adapts to twilight near the ground, and not at all to the lit globe that it sees from space.
+    // Near the ground a picture is exposed for the light that falls on it, but for a little of it for a night, which stays darker;
+    // from space for a ground with the sun in its zenith, and more where next to nothing of the disc below is lit.
     let mu = earth::normal(camera.lat, camera.lon).dot(sun);
-    let day = ((mu + 0.17) / 0.42).clamp(0.0, 1.0);
-    let night_gain = 40f64.powf((1.0 - day).powi(2));
-    // From space it adapts where next to nothing of the disc below is lit.
+    let metered = std::f64::consts::PI / daylight::irradiance(mu).hypot(DARKEST_EXPOSED);
     let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
+    let [near, space] = [2f64.powf(0.7) * metered, std::f64::consts::PI / daylight::irradiance(1.0) * 5f64.powf(dark)];
     let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
-    u.exposure = (4.6 * night_gain.powf(low) * 5f64.powf(dark * (1.0 - low))) as f32;
+    u.exposure = (near.powf(low) * space.powf(1.0 - low)) as f32;
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
@@ -266,6 +272,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let (east, north) = sea_state::wind_components(speed, settings.wind.from_deg.to_radians());
     u.wind = Vec2::new(east as f32, north as f32);
     u.water_density = settings.water_density_per_m as f32;
+    u.haze = settings.haze as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
@@ -286,13 +293,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
 }
 
 /// The foam map's squares; returns the foam's lifetime where the picture shows the map.
-fn set_foam(
-    u: &mut FrameUniform,
-    settings: &Settings,
-    camera: &Camera,
-    whitecaps: &Whitecaps,
-    eye: &FoamEye,
-) -> Option<f64> {
+fn set_foam(u: &mut FrameUniform, wanted: Foam, camera: &Camera, whitecaps: &Whitecaps, eye: &FoamEye) -> Option<f64> {
     u.whitecaps = whitecaps.share as f32;
     u.foam_heights = DVec2::from(whitecaps.heights_m).as_vec2();
     for (level, slot) in u.foam_levels.iter_mut().enumerate() {
@@ -301,13 +302,12 @@ fn set_foam(
         let (threshold, softness) = (fold.threshold.max(-1e9) as f32, fold.softness as f32);
         *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, softness, unused: 0 };
     }
-    (u.lace_texel, u.lace_fraction) = eye.lace(settings.wind.from_deg.to_radians());
     let shown = whitecaps.share > 1e-6 && camera.altitude_m < foam::HIGHEST_M;
     // The numbers of `shaders/lib/foam.wgsl`: the map, the height, the share alone.
-    u.foam_rule = match settings.foam.rule {
+    u.foam_rule = match wanted.rule {
         FoamRule::Height => 1,
         FoamRule::Folding if shown => 0,
         FoamRule::Folding => 2,
     };
-    (u.foam_rule == 0).then_some(settings.foam.lifetime_s)
+    (u.foam_rule == 0).then_some(wanted.lifetime_s)
 }

@@ -225,8 +225,8 @@ gpu_struct! {
         cell_pixels: f32 = "f32",
         /// The deepest levels that page tables reach: Mercator's in the lowest byte, then the north's and the south's.
         deepest_pages: u32 = "u32",
-        /// Padding.
-        unused_c: f32 = "f32",
+        /// Optical depth of the air's aerosol at 550 nm.
+        haze: f32 = "f32",
         /// Wave cells that may serve what is seen.
         wave_cell_count: u32 = "u32",
         /// Bit 0 land, 1 sea, 2 sky.

@@ -16,7 +16,7 @@ use crate::scene::link::values::{
     format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
     parse_swell, parse_view, parse_wind,
 };
-use crate::scene::settings::{Quality, Settings, Spectrum};
+use crate::scene::settings::{HAZIEST, Quality, Settings, Spectrum};
 use crate::scene::time::SceneTime;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
@@ -25,9 +25,9 @@ use crate::scene::view::state::ViewState;
 pub const LONGEST: usize = 2048;
 
 /// The keys in the order in which they are written.
-const KEYS: [&str; 16] = [
-    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "time", "rate", "seed", "mesh",
-    "quality", "layers", "v",
+const KEYS: [&str; 17] = [
+    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "time", "rate", "seed",
+    "mesh", "quality", "layers", "v",
 ];
 
 impl ViewState {
@@ -103,6 +103,7 @@ impl ViewState {
             "swell" => s.swell = Some(parse_swell(value).ok_or_else(|| bad("give height,period,from"))?),
             "chop" => s.chop = clamped(value, 0.0..=2.0).ok_or_else(|| bad("give 0 to 2"))?,
             "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
+            "haze" => s.haze = clamped(value, 0.0..=HAZIEST).ok_or_else(|| bad("give 0 to 0.5"))?,
             "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
             "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
             "seed" => {
@@ -139,6 +140,7 @@ impl ViewState {
             "swell" => to.swell = settings.swell,
             "chop" => to.chop = settings.chop,
             "foam" => to.foam = settings.foam,
+            "haze" => to.haze = settings.haze,
             "time" => self.time = from.time,
             "rate" => self.rate = from.rate,
             "seed" => to.seed = settings.seed,
@@ -162,6 +164,7 @@ impl ViewState {
             "swell" => s.swell.map(format_swell),
             "chop" => Some(decimal(s.chop, 3)).filter(|text| text != "1"),
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
+            "haze" => Some(decimal(s.haze, 3)).filter(|text| text != "0.08"),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),

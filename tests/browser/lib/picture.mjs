@@ -5,11 +5,11 @@ import { PNG } from "pngjs";
 /** A picture from PNG bytes: `width`, `height`, `data` (RGBA, rows from the top). */
 export const decode = (bytes) => PNG.sync.read(Buffer.from(bytes));
 
-/** What a pixel shows, by colour: dark space, sea (clearly more blue than green), land (not so), or something between. */
+/** What a pixel shows, by colour: dark space, sea (far more blue than green), land (not so, but for the haze before it), or something between. */
 export function kindOf([r, g, b]) {
   if (r + g + b < 30) return "dark";
-  if (b > 1.1 * g) return "sea";
-  return b <= 1.05 * g ? "land" : "between";
+  if (b > 1.3 * g) return "sea";
+  return b <= 1.15 * g ? "land" : "between";
 }
 
 /** The colour at a place given as a share of width and height. */

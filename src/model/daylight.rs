@@ -1,0 +1,26 @@
+//! How much light falls on level ground by day and in twilight, in closed form: what a light meter would say.
+
+/// Optical depths of the air straight up at 550 nm: what scatters (molecules and a sea's aerosol), and ozone.
+const SCATTERING: f64 = 0.10 + 0.08;
+const ABSORPTION: f64 = 0.03;
+/// Share of what is taken out of the beam and scattered that comes down.
+const FORWARD: f64 = 0.62;
+/// Light of the sky with the sun on the horizon, of the sun's beyond the air, and how fast it goes as the sun sinks: half of it each
+/// 0.02 of the sine.
+const AT_SUNSET: f64 = 0.016;
+const HALVED_BY: f64 = 0.02;
+
+/// Relative optical air mass by the sine of the sun's elevation, at least 0
+/// ([Kasten and Young](crate::bibliography::KastenYoung1989)).
+fn air_mass(mu: f64) -> f64 {
+    let elevation_deg = mu.clamp(0.0, 1.0).asin().to_degrees();
+    1.0 / (mu.max(0.0) + 0.50572 * (elevation_deg + 6.07995).powf(-1.6364))
+}
+
+/// Irradiance of level ground by sun and sky at about 550 nm, in units of the sun's beyond the air, by the sine of the sun's elevation.
+pub fn irradiance(mu: f64) -> f64 {
+    let m = air_mass(mu);
+    let (scattered, absorbed) = ((-SCATTERING * m).exp(), (-ABSORPTION * m).exp());
+    let sunset = AT_SUNSET * 0.5f64.powf(mu.abs() / HALVED_BY);
+    mu.max(0.0) * absorbed * (scattered + FORWARD * (1.0 - scattered)) + sunset
+}

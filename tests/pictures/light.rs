@@ -1,0 +1,124 @@
+//! The light of a picture: a clear day's sky, the tone of the display, foam that can be taken away.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::Output;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+/// On the equator in the Atlantic, the sun 40 degrees high in the west.
+const AT_40_DEG: &str = "wind=7@90&time=2026-03-20T17:27:30Z&layers=-foam";
+
+const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
+
+fn luminance(rgb: [f64; 3]) -> f64 {
+    rgb.iter().zip(LUMINANCE).map(|(part, share)| part * share).sum()
+}
+
+/// CIE 1931 x and y of linear sRGB.
+fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
+    let x = 0.4124 * r + 0.3576 * g + 0.1805 * b;
+    let y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    let z = 0.0193 * r + 0.1192 * g + 0.9505 * b;
+    [x / (x + y + z), y / (x + y + z)]
+}
+
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, contrast 1.1 and saturation 1.3.
+pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
+    const INSET: [[f64; 3]; 3] = [
+        [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
+        [0.0423282422610123, 0.878468636469772, 0.0791661274605434],
+        [0.0423756549057051, 0.0784336, 0.879142973793104],
+    ];
+    const OUTSET: [[f64; 3]; 3] = [
+        [1.19687900512017, -0.0980208811401368, -0.0990297440797205],
+        [-0.0528968517574562, 1.15190312990417, -0.0989611768448433],
+        [-0.0529716355144438, -0.0980434501171241, 1.15107367264116],
+    ];
+    let times = |rows: [[f64; 3]; 3], v: [f64; 3]| rows.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>());
+    let curve = |x: f64| {
+        let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
+        powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.1)
+    };
+    let toned =
+        times(INSET, exposed).map(|part| curve(((part.max(1e-10).log2() + 12.47393) / 16.499999).clamp(0.0, 1.0)));
+    let grey = luminance(toned);
+    times(OUTSET, toned.map(|part| grey + 1.3 * (part - grey))).map(|part| part.clamp(0.0, 1.0))
+}
+
+/// Radiance in the middle of a picture.
+fn seen(renderer: &mut Renderer, view: &str) -> [f64; 3] {
+    let state = render::parse_state(&format!("#view={view}&{AT_40_DEG}")).unwrap();
+    let measured = render::measure(renderer, &state, [9, 9], LayerName::Radiance).unwrap();
+    assert_eq!(measured.shape, [9, 9, 3]);
+    std::array::from_fn(|part| measured.values[3 * 40 + part])
+}
+
+#[test]
+fn the_sky_is_that_of_a_clear_day() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // A quarter turn from the sun.
+    let mut sky = |elevation: f64| seen(&mut renderer, &format!("0,-30,10,0,{}", 90.0 + elevation));
+    let zenith = sky(89.9);
+    let [high, low] = [10.0, 1.0].map(&mut sky);
+    let [near_top, at_10, at_1] =
+        [zenith, high, low].map(|rgb| (luminance(rgb) / luminance(zenith), chromaticity(rgb)));
+    println!("zenith {zenith:.5?}: {near_top:.3?}, at 10 degrees {at_10:.3?}, at 1 degree {at_1:.3?}");
+    // Of spectral models of an ocean's air (optical depth of the aerosol 0.08): 2.4 and 2.6, in bands of cloudless days.
+    assert!((1.7..2.8).contains(&at_10.0) && (1.8..3.2).contains(&at_1.0), "{at_10:?} {at_1:?}");
+    let near = |found: [f64; 2], wanted: [f64; 2], by: f64| found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < by);
+    assert!(near(near_top.1, [0.255, 0.257], 0.012), "zenith {near_top:?}");
+    assert!(near(at_1.1, [0.300, 0.312], 0.015), "at 1 degree {at_1:?}");
+    // No green skies by day.
+    for elevation in [1.0, 3.0, 6.0, 10.0, 20.0, 35.0, 60.0, 89.0] {
+        let [_, g, b] = sky(elevation);
+        assert!(g < b, "{elevation} degrees: {g} {b}");
+    }
+    // Looking towards the sun it is brighter than away from it: the aerosol scatters forward.
+    let [towards, away] = [270, 90].map(|heading| luminance(seen(&mut renderer, &format!("0,-30,10,{heading},110"))));
+    assert!(towards > 4.0 * away, "{towards} towards the sun, {away} away from it");
+}
+
+#[test]
+fn the_display_has_the_tone_of_agx() {
+    // A grey card in the light that the exposure is metered for.
+    let card = 255.0 * displayed([0.18 * 2f64.powf(0.7); 3])[1];
+    println!("grey card {card:.1}");
+    assert!((card - 141.0).abs() < 5.0, "{card}");
+    // Ever brighter, up to white.
+    let ramp: Vec<f64> = (-120..=40).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
+    assert!(ramp.windows(2).all(|pair| pair[1] > pair[0]) && ramp[0] < 0.01 && ramp[ramp.len() - 1] > 0.98);
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [64, 36];
+    for view in ["36.5,-9.5,15,290,86&bft=3&time=2026-06-21T19:50:00Z", "20,-40,9e6&time=2026-06-21T14:30:00Z"] {
+        let state = render::parse_state(&format!("#view={view}&quality=low&rate=0")).unwrap();
+        let measured = render::measure(&mut renderer, &state, size, LayerName::Radiance).unwrap();
+        let (frame, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();
+        let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
+        let mut darkest = 255;
+        for (pixel, (rgba, radiance)) in bytes.chunks_exact(4).zip(measured.values.chunks_exact(3)).enumerate() {
+            let exposed = std::array::from_fn(|part| radiance[part] * f64::from(frame.uniform.exposure));
+            for (byte, wanted) in rgba.iter().zip(displayed(exposed)) {
+                // Half a step of noise, half a step of rounding, and what 32 bits lose in the curve.
+                assert!((f64::from(*byte) - 255.0 * wanted).abs() < 1.1, "{view}, {pixel}: {byte} of {wanted}");
+            }
+            darkest = darkest.min(*rgba[..3].iter().max().unwrap());
+        }
+        println!("{view}: exposure {:.2}, darkest pixel {darkest}", frame.uniform.exposure);
+    }
+}
+
+#[test]
+fn foam_can_be_taken_away() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let mut mean = |layers: &str| {
+        let link = format!("#view=45,-30,60,70,40&bft=9&quality=low&time=2026-06-21T14:00:00Z{layers}");
+        let measured =
+            render::measure(&mut renderer, &render::parse_state(&link).unwrap(), [64, 36], LayerName::Luminance);
+        let values = measured.unwrap().values;
+        values.iter().sum::<f64>() / values.len() as f64
+    };
+    let [with, without, with_again] = ["", "&layers=-foam", ""].map(&mut mean);
+    println!("with foam {with:.5}, without {without:.5}");
+    assert!(without < 0.7 * with, "{without} of {with}");
+    assert_eq!(with, with_again);
+}
