@@ -51,8 +51,9 @@ export function noticeTests(site) {
     await globe.close();
   });
 
-  test("a program that does not load is reported, with the reason", async () => {
+  test("a program that does not load is reported, with the reason", async (t) => {
     const lost = await startBreakable({ answer: (path) => (path.endsWith(".wasm") ? 503 : undefined) });
+    t.after(() => lost.close());
     const prepare = (page) =>
       page.evaluateOnNewDocument(() => Object.defineProperty(navigator, "gpu", { value: { requestAdapter: async () => ({}) } }));
     const globe = await Globe.open(site.browser, lost.address, { prepare });
@@ -61,6 +62,5 @@ export function noticeTests(site) {
     assert.match(text, /Reload/);
     assert.equal(await globe.state(), "failed");
     await globe.close();
-    lost.close();
   });
 }

@@ -17,13 +17,16 @@ export const tileTests = (site) => describe("tiles", () => {
 
   /** The picture of the coast from a server, and what the page asked it for. */
   async function coastFrom(server) {
-    const globe = await Globe.open(site.browser, server.address, { fragment: COAST, query: "?panel=off" });
-    await globe.settled();
-    const picture = await globe.picture();
-    assert.deepEqual(globe.errors(), []);
-    await globe.close();
-    server.close();
-    return { picture, requests: server.requests.filter(({ path }) => path.endsWith(".pmtiles")) };
+    try {
+      const globe = await Globe.open(site.browser, server.address, { fragment: COAST, query: "?panel=off" });
+      await globe.settled();
+      const picture = await globe.picture();
+      assert.deepEqual(globe.errors(), []);
+      await globe.close();
+      return { picture, requests: server.requests.filter(({ path }) => path.endsWith(".pmtiles")) };
+    } finally {
+      server.close();
+    }
   }
 
   test("tiles come by ranges, a small part of the archives", () => {
@@ -64,8 +67,10 @@ export const tileTests = (site) => describe("tiles", () => {
   });
 
   for (const [name, broken] of Object.entries({ "answers 500": 500, "sends garbage": garbage })) {
-    test(`a tile server that ${name} leaves the parents' picture and one clear line in the console`, async () => {
+    test(`a tile server that ${name} leaves the parents' picture and one clear line in the console`, async (t) => {
       const server = await startBreakable();
+      // Left open by a failure, it would keep the whole run from ending.
+      t.after(() => server.close());
       const globe = await Globe.open(site.browser, server.address, { fragment: FROM_ORBIT, query: "?panel=off" });
       await globe.settled();
       const before = globe.console.length;
@@ -83,7 +88,6 @@ export const tileTests = (site) => describe("tiles", () => {
       assert.equal(new Set(lines).size, lines.length, `the same line again and again:\n${lines.join("\n")}`);
       assert.ok(!lines.some((text) => /panicked|uncaught/.test(text)), lines.join("\n"));
       await globe.close();
-      server.close();
     });
   }
 });
