@@ -248,8 +248,19 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
     (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
 }
 
-/// Irradiance that pictures of the night are exposed for, of the sun's beyond the air.
-const DARKEST_EXPOSED: f64 = 0.03;
+/// Irradiance below which a picture is not exposed for all of the light that is missing, of the sun's beyond the air: an evening looks
+/// like one, and the sky about a low sun is not burnt.
+const EVENING: f64 = 0.5;
+/// Share of what is missing that it is exposed for, in stops.
+const ADAPTED: f64 = 0.5;
+/// And the least light that a picture is exposed for.
+const NIGHT: f64 = 0.004;
+
+/// Irradiance that a picture is exposed for where the sine of the sun's elevation is `mu`.
+fn metered(mu: f64) -> f64 {
+    let light = daylight::irradiance(mu).hypot(NIGHT);
+    EVENING * (light / EVENING).powf(if light < EVENING { ADAPTED } else { 1.0 })
+}
 
 fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
@@ -257,14 +268,13 @@ fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
     // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
     let steps = f64::from(1 << 13);
     u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
-    // Near the ground a picture is exposed for the light that falls on it, but for a little of it for a night, which stays darker;
-    // from space for a ground with the sun in its zenith, and more where next to nothing of the disc below is lit.
+    // Near the ground a picture is exposed for the light that falls on it; from space for a ground with the sun in its zenith, and
+    // more where next to nothing of the disc below is lit.
     let mu = earth::normal(camera.lat, camera.lon).dot(sun);
-    let metered = std::f64::consts::PI / daylight::irradiance(mu).hypot(DARKEST_EXPOSED);
     let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
-    let [near, space] = [2f64.powf(0.7) * metered, std::f64::consts::PI / daylight::irradiance(1.0) * 5f64.powf(dark)];
+    let [near, space] = [2f64.powf(0.7) / metered(mu), 5f64.powf(dark) / metered(1.0)];
     let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
-    u.exposure = (near.powf(low) * space.powf(1.0 - low)) as f32;
+    u.exposure = (std::f64::consts::PI * near.powf(low) * space.powf(1.0 - low)) as f32;
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
