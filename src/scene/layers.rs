@@ -7,12 +7,12 @@ pub enum Layer {
     Land,
     /// The sea.
     Sea,
+    /// The foam on the sea.
+    Foam,
     /// The sky.
     Sky,
     /// The data credits over the picture.
     Credits,
-    /// The foam on the sea.
-    Foam,
 }
 
 impl Layer {
@@ -20,9 +20,9 @@ impl Layer {
     pub const ALL: [(Self, &'static str); 5] = [
         (Self::Land, "land"),
         (Self::Sea, "sea"),
+        (Self::Foam, "foam"),
         (Self::Sky, "sky"),
         (Self::Credits, "credits"),
-        (Self::Foam, "foam"),
     ];
 
     fn bit(self) -> u32 {

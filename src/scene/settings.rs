@@ -2,7 +2,7 @@
 
 pub use crate::model::sea::SpectrumKind as Spectrum;
 use crate::model::sea_state;
-use crate::scene::layers::Layers;
+use crate::scene::layers::{Layer, Layers};
 
 /// The wind at 10 m over the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,6 +178,14 @@ impl Settings {
     /// Speed at 10 m in m/s that drives the waves: the Beaufort grade's where one is given, else the wind's.
     pub fn wind_speed_mps(&self) -> f64 {
         self.beaufort.map_or(self.wind.speed_mps, |grade| sea_state::speed_from_beaufort(f64::from(grade)))
+    }
+
+    /// The whitecaps that are drawn: none where their layer is hidden.
+    pub fn shown_foam(&self) -> Foam {
+        if self.layers.shows(Layer::Foam) {
+            return self.foam;
+        }
+        Foam { amount: 0.0, rule: FoamRule::Folding, ..self.foam }
     }
 
     /// Bearing that the wind comes from, radians clockwise from north. One for the whole earth; a field of winds would give each place

@@ -8,7 +8,7 @@ use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::{self, MAX_CELLS};
-use crate::model::{daylight, sea_state, sun};
+use crate::model::{sea_state, sun};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
 use crate::scene::sea::Seas;
@@ -16,10 +16,12 @@ use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
 use crate::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 use crate::scene::view::map_tiles::RELIEF_M;
+use exposure::exposure;
 use uniform::{FoamLevel, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 pub use uniform::{FrameUniform, NEAR_M, Output};
 
 pub mod bisection;
+mod exposure;
 pub mod uniform;
 mod wave_cells;
 
@@ -83,7 +85,7 @@ impl Frame {
         set_view(&mut uniform, camera, size);
         set_earth(&mut uniform, camera, sea.sea.hs_m, sea.sea.chop);
         set_map(&mut uniform, camera);
-        set_light(&mut uniform, camera, unix_seconds);
+        set_light(&mut uniform, settings.haze, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
@@ -93,8 +95,7 @@ impl Frame {
             && (camera.altitude_m < -sea.crest_m()
                 || camera.altitude_m < seas.surface_height(settings, camera, unix_seconds));
         uniform.under_water = u32::from(below);
-        let shown = settings.layers.shows(Layer::Foam);
-        let wanted = if shown { settings.foam } else { Foam { amount: 0.0, rule: FoamRule::Folding, ..settings.foam } };
+        let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
         let foam_lifetime_s = set_foam(&mut uniform, wanted, camera, &whitecaps, &foam_eye);
@@ -248,33 +249,14 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
     (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
 }
 
-/// Irradiance below which a picture is not exposed for all of the light that is missing, of the sun's beyond the air: an evening looks
-/// like one, and the sky about a low sun is not burnt.
-const EVENING: f64 = 0.5;
-/// Share of what is missing that it is exposed for, in stops.
-const ADAPTED: f64 = 0.5;
-/// And the least light that a picture is exposed for.
-const NIGHT: f64 = 0.004;
-
-/// Irradiance that a picture is exposed for where the sine of the sun's elevation is `mu`.
-fn metered(mu: f64) -> f64 {
-    let light = daylight::irradiance(mu).hypot(NIGHT);
-    EVENING * (light / EVENING).powf(if light < EVENING { ADAPTED } else { 1.0 })
-}
-
-fn set_light(u: &mut FrameUniform, camera: &Camera, unix_seconds: f64) {
+fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64) {
     let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
     let sun = sun::sun_direction_ecef(unix_seconds);
     // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
     let steps = f64::from(1 << 13);
     u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
-    // Near the ground a picture is exposed for the light that falls on it; from space for a ground with the sun in its zenith, and
-    // more where next to nothing of the disc below is lit.
-    let mu = earth::normal(camera.lat, camera.lon).dot(sun);
-    let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
-    let [near, space] = [2f64.powf(0.7) / metered(mu), 5f64.powf(dark) / metered(1.0)];
-    let low = 1.0 / (1.0 + (camera.altitude_m.max(0.0) / 400_000.0).powi(2));
-    u.exposure = (std::f64::consts::PI * near.powf(low) * space.powf(1.0 - low)) as f32;
+    u.exposure = exposure(earth::normal(camera.lat, camera.lon).dot(sun), camera.altitude_m) as f32;
+    u.haze = haze as f32;
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
@@ -282,7 +264,6 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let (east, north) = sea_state::wind_components(speed, settings.wind.from_deg.to_radians());
     u.wind = Vec2::new(east as f32, north as f32);
     u.water_density = settings.water_density_per_m as f32;
-    u.haze = settings.haze as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;

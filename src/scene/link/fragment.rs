@@ -164,7 +164,7 @@ impl ViewState {
             "swell" => s.swell.map(format_swell),
             "chop" => Some(decimal(s.chop, 3)).filter(|text| text != "1"),
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
-            "haze" => Some(decimal(s.haze, 3)).filter(|text| text != "0.08"),
+            "haze" => Some(decimal(s.haze, 3)).filter(|text| *text != decimal(default.haze, 3)),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),

@@ -1,0 +1,36 @@
+//! How bright a picture is shown: by the light that falls on the place, never by its own pixels, so that a link has one exposure.
+
+use std::f64::consts::PI;
+
+use crate::model::daylight;
+
+/// 2^0.7: a grey card in the light that is metered comes out as 141 of 255.
+const BRIGHTER: f64 = 1.624_504_792_712_471;
+/// Irradiance below which a picture is not exposed for all of the light that is missing, of the sun's beyond the air: an evening looks
+/// like one, and the sky about a low sun is not burnt.
+const EVENING: f64 = 0.5;
+/// Share of what is missing that it is exposed for, in stops.
+const ADAPTED: f64 = 0.5;
+/// And the least light that a picture is exposed for.
+const NIGHT: f64 = 0.004;
+/// Where half of the exposure is that of a picture from space, m.
+const SPACE_M: f64 = 400_000.0;
+
+/// Factor from radiance (in units of the sun's irradiance beyond the air, per steradian) to what the display's tone is made of, for an eye
+/// at `altitude_m` over a place where the sine of the sun's elevation is `mu`.
+///
+/// Near the ground it is that of the light on level ground; from space that of a ground with the sun in its zenith, and five times that
+/// where next to nothing of the disc below is lit.
+pub fn exposure(mu: f64, altitude_m: f64) -> f64 {
+    let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
+    let [near, space] = [BRIGHTER / metered(mu), libm::pow(5.0, dark) / metered(1.0)];
+    let high = altitude_m.max(0.0) / SPACE_M;
+    let low = 1.0 / (1.0 + high * high);
+    PI * libm::pow(near, low) * libm::pow(space, 1.0 - low)
+}
+
+/// Irradiance that a picture is exposed for.
+fn metered(mu: f64) -> f64 {
+    let light = libm::hypot(daylight::irradiance(mu), NIGHT);
+    if light < EVENING { EVENING * libm::pow(light / EVENING, ADAPTED) } else { light }
+}
