@@ -1,9 +1,7 @@
 //! The earth from space: ground and sea in one disc, where nothing on the ellipsoid has a shape that shows.
 
-use std::collections::HashMap;
-
-use super::kind::Kind;
-use crate::gpu::pipeline::{DepthTest, Drawing};
+use super::kind::{ByKind, Kind};
+use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
 /// Triangles of the disc; equals `RIM` in `shaders/globe.wgsl`.
@@ -16,7 +14,7 @@ pub fn source(kind: Kind) -> String {
 
 /// The pass.
 pub struct Globe {
-    pipelines: HashMap<Kind, Drawing>,
+    pipelines: ByKind,
 }
 
 impl Globe {
@@ -30,15 +28,13 @@ impl Globe {
         let depth = Some((depth, DepthTest::Nearest));
         let pipeline = |kind| gpu.drawing("globe", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
         let above_water = Kind::all().filter(|kind| !kind.under_water);
-        Self { pipelines: above_water.map(|kind| (kind, pipeline(kind))).collect() }
+        Self { pipelines: ByKind::new(above_water, pipeline) }
     }
 
     /// One disc; nothing from under the water.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        let Some(pipeline) = self.pipelines.get(&kind) else { return };
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, frame, &[]);
-        pass.set_bind_group(1, surface, &[]);
-        pass.draw(0..3 * RIM, 0..1);
+        if self.pipelines.set(pass, kind, frame, surface) {
+            pass.draw(0..3 * RIM, 0..1);
+        }
     }
 }

@@ -1,6 +1,9 @@
 //! What kind of picture it is. Shaders know it when they are compiled, so that no pixel pays for another kind: software rasterisers run
 //! both sides of every branch.
 
+use std::collections::HashMap;
+
+use crate::gpu::pipeline::Drawing;
 use crate::scene::frame::Frame;
 
 /// The kind of a picture.
@@ -28,5 +31,30 @@ impl Kind {
     pub fn definitions(self) -> String {
         let Self { measured, under_water } = self;
         format!("const MEASURED: bool = {measured};\nconst UNDER_WATER: bool = {under_water};\n")
+    }
+}
+
+/// The pipelines of a pass by the kind of picture; each is compiled when it is first drawn with.
+pub struct ByKind(HashMap<Kind, Drawing>);
+
+impl ByKind {
+    /// The `pipeline` of each of some kinds.
+    pub fn new(kinds: impl Iterator<Item = Kind>, pipeline: impl Fn(Kind) -> Drawing) -> Self {
+        Self(kinds.map(|kind| (kind, pipeline(kind))).collect())
+    }
+
+    /// Sets the pipeline of a kind with its bind groups 0 and 1; tells whether there is one.
+    pub fn set(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        kind: Kind,
+        frame: &wgpu::BindGroup,
+        surface: &wgpu::BindGroup,
+    ) -> bool {
+        let Some(pipeline) = self.0.get(&kind) else { return false };
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, surface, &[]);
+        true
     }
 }

@@ -1,13 +1,11 @@
 //! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw.
 
-use std::collections::HashMap;
-
 use bytemuck::{Pod, Zeroable};
 
-use super::kind::Kind;
+use super::kind::{ByKind, Kind};
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::{DepthTest, Drawing};
+use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
@@ -30,7 +28,7 @@ pub fn source(kind: Kind) -> String {
 
 /// The pass.
 pub struct Land {
-    pipelines: HashMap<Kind, Drawing>,
+    pipelines: ByKind,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
@@ -72,7 +70,7 @@ impl Land {
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: Kind::all().map(|kind| (kind, pipeline(kind))).collect(),
+            pipelines: ByKind::new(Kind::all(), pipeline),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
@@ -97,9 +95,9 @@ impl Land {
 
     /// One draw.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipelines[&kind]);
-        pass.set_bind_group(0, frame, &[]);
-        pass.set_bind_group(1, surface, &[]);
+        if !self.pipelines.set(pass, kind, frame, surface) {
+            return;
+        }
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);

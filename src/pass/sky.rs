@@ -1,9 +1,7 @@
 //! The sky behind everything, drawn where nothing else has been.
 
-use std::collections::HashMap;
-
-use super::kind::Kind;
-use crate::gpu::pipeline::{DepthTest, Drawing};
+use super::kind::{ByKind, Kind};
+use crate::gpu::pipeline::DepthTest;
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader of a kind of picture.
@@ -13,7 +11,7 @@ pub fn source(kind: Kind) -> String {
 
 /// The pass.
 pub struct Sky {
-    pipelines: HashMap<Kind, Drawing>,
+    pipelines: ByKind,
 }
 
 impl Sky {
@@ -26,14 +24,13 @@ impl Sky {
     ) -> Self {
         let depth = Some((depth, DepthTest::Undrawn));
         let pipeline = |kind| gpu.drawing("sky", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
-        Self { pipelines: Kind::all().map(|kind| (kind, pipeline(kind))).collect() }
+        Self { pipelines: ByKind::new(Kind::all(), pipeline) }
     }
 
     /// One triangle over the picture.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        pass.set_pipeline(&self.pipelines[&kind]);
-        pass.set_bind_group(0, frame, &[]);
-        pass.set_bind_group(1, surface, &[]);
-        pass.draw(0..3, 0..1);
+        if self.pipelines.set(pass, kind, frame, surface) {
+            pass.draw(0..3, 0..1);
+        }
     }
 }
