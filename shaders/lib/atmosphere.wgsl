@@ -18,6 +18,19 @@ const PI = 3.141592653589793;
 // Extinction by the aerosol at sea level, per metre: a column of `frame.haze` at 550 nm over its scale height.
 fn mie_extinction() -> vec3f { return frame.haze / MIE_HEIGHT * MIE_COLOUR; }
 
+// The air at a height: what molecules and aerosol scatter, and what a beam loses, per metre.
+struct Medium { rayleigh: vec3f, mie: vec3f, extinction: vec3f }
+
+fn medium_at(h: Metres) -> Medium {
+    let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT);
+    let mie = mie_extinction() * exp(-h / MIE_HEIGHT);
+    let ozone = OZONE * max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
+    return Medium(rayleigh, MIE_ALBEDO * mie, rayleigh + mie + ozone);
+}
+
+// Length of a step of which `extinction` leaves the share `passed`, as far as its far parts still count.
+fn seen_length(extinction: vec3f, passed: vec3f) -> vec3f { return (vec3f(1.0) - passed) / max(extinction, vec3f(1e-12)); }
+
 fn rayleigh_phase(c: f32) -> f32 { return 3.0 / (16.0 * PI) * (1.0 + c * c); }
 
 // Cornette-Shanks, g = 0.75.

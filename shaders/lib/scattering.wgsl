@@ -24,17 +24,13 @@ fn stepped(sight: Sight, before: Scattered, from_t: f32, to_t: f32) -> Scattered
     let h = clamp(height_along(sight.ray, t), 0.0, TOP);
     let up = normalize(sight.gradient + t * sight.turning);
     let mu_sun = dot(up, sight.sun);
-    let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT);
-    let density_m = exp(-h / MIE_HEIGHT);
-    let density_o = max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
-    let mie = mie_extinction() * density_m;
-    let extinction = rayleigh + mie + OZONE * density_o;
+    let air = medium_at(h);
     let place = table_place(multiple_coordinates(h, mu_sun), textureDimensions(multiples));
     let ambient = textureSampleLevel(multiples, clamped, place, 0.0).rgb;
     let lit = sunlight(h, mu_sun);
-    let source = rayleigh * (sight.phases.x * lit + ambient) + MIE_ALBEDO * mie * (sight.phases.y * lit + ambient);
-    let passed = exp(extinction * (from_t - to_t));
-    let inside = (vec3f(1.0) - passed) / max(extinction, vec3f(1e-12));
+    let source = air.rayleigh * (sight.phases.x * lit + ambient) + air.mie * (sight.phases.y * lit + ambient);
+    let passed = exp(air.extinction * (from_t - to_t));
+    let inside = seen_length(air.extinction, passed);
     return Scattered(before.radiance + SUN_IRRADIANCE * before.through * source * inside, before.through * passed);
 }
 

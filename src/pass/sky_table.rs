@@ -1,5 +1,6 @@
 //! Skylight at sea level, tabulated once for a haze: radiance by view and sun, irradiance by sun.
 
+use super::due::Due;
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
@@ -20,9 +21,8 @@ pub fn source() -> String {
 pub struct SkyTable {
     pipelines: [Compute; 2],
     group: wgpu::BindGroup,
-    /// Haze that the tables are of.
-    made: Option<f32>,
-    due: bool,
+    /// By the haze.
+    due: Due<f32>,
     /// View zenith cosine × azimuth from the sun × sun zenith cosine.
     pub radiance: wgpu::TextureView,
     /// By sun zenith cosine.
@@ -42,23 +42,22 @@ impl SkyTable {
         let irradiance = texture::view(&gpu.texture("sky irradiance", Shape::picture(IRRADIANCES, 1), FORMAT, usage));
         let views = [&radiance, &irradiance].map(wgpu::BindingResource::TextureView);
         let group = gpu.bind("sky table", &layout, &views);
-        Self { pipelines, group, made: None, due: false, radiance, irradiance }
+        Self { pipelines, group, due: Due::default(), radiance, irradiance }
     }
 
     /// Looks whether a frame needs other tables than there are.
     pub fn prepare(&mut self, frame: &FrameUniform) {
-        self.due = self.made != Some(frame.haze);
-        self.made = Some(frame.haze);
+        self.due.look(frame.haze);
     }
 
     /// Dispatches that the next [`SkyTable::dispatch`] makes.
     pub fn dispatches(&self) -> usize {
-        if self.due { self.pipelines.len() } else { 0 }
+        self.due.dispatches(self.pipelines.len())
     }
 
     /// Makes the tables, where they are not there.
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, air: &wgpu::BindGroup) {
-        if !std::mem::take(&mut self.due) {
+        if !self.due.take() {
             return;
         }
         pass.set_bind_group(0, frame, &[]);

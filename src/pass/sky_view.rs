@@ -1,6 +1,7 @@
 //! The air that the eye sees, tabulated for all directions: the sky's radiance, and radiance and transmittance of the haze before
 //! surfaces. The tables last as long as the eye is where it is and the sun where it stands: turning the head costs nothing.
 
+use super::due::Due;
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
@@ -45,8 +46,7 @@ impl Made {
 pub struct SkyView {
     pipelines: [Compute; 2],
     written: wgpu::BindGroup,
-    made: Option<Made>,
-    due: bool,
+    due: Due<Made>,
     /// The sky.
     pub sky: wgpu::TextureView,
     /// The haze.
@@ -66,24 +66,22 @@ impl SkyView {
         let sky = texture::view(&gpu.texture("sky view", Shape::picture(SKY[0], SKY[1]), FORMAT, usage));
         let haze = texture::view(&gpu.texture("haze", volume, FORMAT, usage));
         let written = gpu.bind("sky view", &storage, &[&sky, &haze].map(wgpu::BindingResource::TextureView));
-        Self { pipelines, written, made: None, due: false, sky, haze }
+        Self { pipelines, written, due: Due::default(), sky, haze }
     }
 
     /// Looks whether a frame needs other tables than there are.
     pub fn prepare(&mut self, frame: &FrameUniform) {
-        let wanted = Some(Made::of(frame));
-        self.due = self.made != wanted;
-        self.made = wanted;
+        self.due.look(Made::of(frame));
     }
 
     /// Dispatches of the frame.
     pub fn dispatches(&self) -> usize {
-        if self.due { self.pipelines.len() } else { 0 }
+        self.due.dispatches(self.pipelines.len())
     }
 
     /// Makes the frame's tables, where they are not there; `air` is [`super::air_table::AirTable::group`].
     pub fn dispatch(&mut self, pass: &mut wgpu::ComputePass, frame: &wgpu::BindGroup, air: &wgpu::BindGroup) {
-        if !std::mem::take(&mut self.due) {
+        if !self.due.take() {
             return;
         }
         pass.set_bind_group(0, frame, &[]);

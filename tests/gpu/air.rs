@@ -71,47 +71,53 @@ fn spread<const N: usize>(index: usize) -> [f64; N] {
     std::array::from_fn(|i| (0.5 + index as f64 * root.powi(-(i as i32) - 1)).fract())
 }
 
-struct Comparison {
+/// The tables of the air as the drawing passes have them, and a kernel that reads them.
+struct Air<const N: usize> {
     gpu: Gpu,
-    kernel: Kernel<4>,
-    layouts: [wgpu::BindGroupLayout; 2],
+    kernel: Kernel<N>,
+    frame_layout: wgpu::BindGroupLayout,
     air: AirTable,
+    sky: SkyTable,
     view: SkyView,
     tables: wgpu::BindGroup,
 }
 
-impl Comparison {
-    fn new() -> Self {
+impl<const N: usize> Air<N> {
+    fn new(source: &str, entry: &str) -> Self {
         use wgpu::TextureViewDimension::{D2, D3};
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
-        let frame = frame_layout(&gpu);
-        let air = AirTable::new(&gpu, &frame);
-        let view = SkyView::new(&gpu, &frame, &air.layout);
-        // The drawing passes' bind group 1, as far as the air is concerned.
+        let frame_layout = frame_layout(&gpu);
+        let air = AirTable::new(&gpu, &frame_layout);
+        let sky = SkyTable::new(&gpu, &frame_layout, &air.layout);
+        let view = SkyView::new(&gpu, &frame_layout, &air.layout);
+        // The drawing passes' bind group 1, as far as the air is concerned, and what the tables are made with.
         let mut binds = [Bind::Texture(D2); 11];
-        binds[8] = Bind::Texture(D3);
+        (binds[5], binds[8]) = (Bind::Texture(D3), Bind::Texture(D3));
         let layout = gpu.layout("tables", wgpu::ShaderStages::COMPUTE, &binds);
         let mut views = [&air.transmittance; 11];
+        (views[5], views[6]) = (&sky.radiance, &sky.irradiance);
         (views[7], views[8], views[10]) = (&view.sky, &view.haze, &air.multiple);
         let tables = gpu.bind("tables", &layout, &views.map(wgpu::BindingResource::TextureView));
-        let kernel = Kernel::new(&gpu, &shader::composed(KERNEL, ""), "compare", &[&frame, &layout]);
-        Self { gpu, kernel, layouts: [frame, layout], air, view, tables }
+        let kernel = Kernel::new(&gpu, &shader::composed(source, ""), entry, &[&frame_layout, &layout]);
+        Self { gpu, kernel, frame_layout, air, sky, view, tables }
     }
 
-    /// Of every ray: the tables' radiance, their transmittance, the steps' transmittance, the steps' radiance.
-    fn run(&mut self, frame: &Frame, rays: &[Ray]) -> [Vec<[f32; 4]>; 4] {
+    /// The kernel's outputs for a frame, whose tables are made first.
+    fn run<In: Pod>(&mut self, frame: &Frame, inputs: &[In]) -> [Vec<[f32; 4]>; N] {
         let uniform = self.gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let group = frame_group(&self.gpu, &self.layouts[0], &uniform, &frame.wave_cells);
+        let group = frame_group(&self.gpu, &self.frame_layout, &uniform, &frame.wave_cells);
         self.air.prepare(&frame.uniform);
+        self.sky.prepare(&frame.uniform);
         self.view.prepare(&frame.uniform);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             self.air.dispatch(&mut pass, &group);
+            self.sky.dispatch(&mut pass, &group, &self.air.group);
             self.view.dispatch(&mut pass, &group, &self.air.group);
         }
         self.gpu.queue.submit([encoder.finish()]);
-        self.kernel.run(&self.gpu, &[&group, &self.tables], rays)
+        self.kernel.run(&self.gpu, &[&group, &self.tables], inputs)
     }
 }
 
@@ -171,13 +177,14 @@ fn quantile(values: &mut [f32], share: f64) -> f32 {
 
 /// Errors of radiance, relative, and of transmittance, absolute, over 96 eyes; the largest of the three colours'.
 fn errors(kind: fn(&Ray) -> bool) -> [Vec<f32>; 2] {
-    let mut comparison = Comparison::new();
+    let mut air = Air::<4>::new(KERNEL, "compare");
     let mut errors = [Vec::new(), Vec::new()];
     for index in 0..96 {
         let (camera, unix_seconds) = eye(index);
         let frame = Frame::new(&Settings::default(), &camera, unix_seconds, [640, 360]);
         let rays: Vec<Ray> = rays(&camera, 1024).into_iter().filter(kind).collect();
-        let [seen, through, stepped_through, steps] = comparison.run(&frame, &rays);
+        // Radiance and transmittance of the tables, then of the steps.
+        let [seen, through, stepped_through, steps] = air.run(&frame, &rays);
         for at in (0..rays.len()).filter(|&at| seen[at][3] < 0.0) {
             let most = |error: &dyn Fn(usize) -> f32| (0..3).map(error).fold(0.0, f32::max);
             // A thousandth of sunlight is darker than any picture of the day shows.
@@ -216,17 +223,25 @@ fn the_table_of_the_haze_is_what_steps_along_its_rays_are() {
 
 #[test]
 fn a_turning_head_and_a_stopped_clock_need_no_other_tables() {
-    let mut comparison = Comparison::new();
+    let mut air = Air::<4>::new(KERNEL, "compare");
     let (camera, unix_seconds) = eye(5);
     let mut dispatches = |camera: Camera, unix_seconds: f64| {
         let frame = Frame::new(&Settings::default(), &camera, unix_seconds, [640, 360]);
-        comparison.view.prepare(&frame.uniform);
-        comparison.view.dispatches()
+        air.view.prepare(&frame.uniform);
+        air.view.dispatches()
     };
     assert_eq!(dispatches(camera, unix_seconds), 2);
     assert_eq!(dispatches(camera, unix_seconds), 0);
     assert_eq!(dispatches(Camera { heading: 2.0, tilt: 1.0, ..camera }, unix_seconds), 0);
     assert_eq!(dispatches(Camera { altitude_m: 1.1 * camera.altitude_m, ..camera }, unix_seconds), 2);
+    let hazy = Frame::new(&Settings { haze: 0.2, ..Settings::default() }, &camera, unix_seconds, [640, 360]);
+    for looked in 0..2 {
+        air.air.prepare(&hazy.uniform);
+        air.sky.prepare(&hazy.uniform);
+        // Tables that are made but for the haze: made for it once.
+        let wanted = if looked == 0 { 2 } else { 0 };
+        assert_eq!([air.air.dispatches(), air.sky.dispatches()], [wanted; 2]);
+    }
     // The sun moves by a degree in four minutes.
     assert_eq!(dispatches(Camera { altitude_m: 1.1 * camera.altitude_m, ..camera }, unix_seconds + 240.0), 2);
 }
@@ -246,29 +261,8 @@ fn meter(@builtin(global_invocation_id) id: vec3u) {
 
 /// Irradiances of level ground by sun and sky, as luminance, for sines of the sun's elevation.
 fn daylight_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[f64; 2]> {
-    use wgpu::TextureViewDimension::{D2, D3};
-    let Comparison { gpu, layouts: [frame_layout, _], mut air, .. } = Comparison::new();
-    let mut sky = SkyTable::new(&gpu, &frame_layout, &air.layout);
-    let mut binds = [Bind::Texture(D2); 10];
-    (binds[5], binds[8]) = (Bind::Texture(D3), Bind::Texture(D3));
-    let layout = gpu.layout("tables", wgpu::ShaderStages::COMPUTE, &binds);
-    let mut views = [&air.transmittance; 10];
-    (views[5], views[6], views[8]) = (&sky.radiance, &sky.irradiance, &sky.radiance);
-    let tables = gpu.bind("tables", &layout, &views.map(wgpu::BindingResource::TextureView));
-    let kernel: Kernel<2> = Kernel::new(&gpu, &shader::composed(METER, ""), "meter", &[&frame_layout, &layout]);
     let frame = Frame::new(settings, &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64, 64]);
-    let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-    let group = frame_group(&gpu, &frame_layout, &uniform, &frame.wave_cells);
-    air.prepare(&frame.uniform);
-    sky.prepare(&frame.uniform);
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        air.dispatch(&mut pass, &group);
-        sky.dispatch(&mut pass, &group, &air.group);
-    }
-    gpu.queue.submit([encoder.finish()]);
-    let [lit, skies] = kernel.run::<f32, [f32; 4]>(&gpu, &[&group, &tables], suns);
+    let [lit, skies] = Air::new(METER, "meter").run(&frame, suns);
     let luminance = |[r, g, b, _]: [f32; 4]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
     lit.into_iter().zip(skies).map(|(sun, sky)| [luminance(sun), luminance(sky)]).collect()
 }

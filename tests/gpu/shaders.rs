@@ -26,7 +26,8 @@ fn all() -> Vec<(&'static str, String)> {
     let transforms =
         (4..=11).flat_map(|log| kinds.iter().map(move |&(p, wanted)| ("fft.wgsl", fft::source(1 << log, p, wanted))));
     let mut all = vec![
-        ("air_table.wgsl", air_table::source()),
+        ("transmittance_table.wgsl", air_table::sources()[0].clone()),
+        ("multiple_table.wgsl", air_table::sources()[1].clone()),
         ("backdrop.wgsl", backdrop::source()),
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", blit::source(false)),
