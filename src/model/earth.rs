@@ -79,7 +79,7 @@ impl Ellipsoid {
 
     /// Radius of curvature in the prime vertical N, m, at geodetic latitude `lat`.
     pub fn prime_vertical_radius(&self, lat: f64) -> f64 {
-        self.a / (1.0 - self.e2() * lat.sin().powi(2)).sqrt()
+        self.a / (1.0 - self.e2() * libm::sin(lat).powi(2)).sqrt()
     }
 
     /// The earth-centred position of a place, m.
@@ -104,7 +104,7 @@ impl Ellipsoid {
             return refuse("give finite earth-centred metres");
         }
         let (a, b) = (self.a, self.b);
-        let (p, z) = (ecef.x.hypot(ecef.y), ecef.z);
+        let (p, z) = (libm::hypot(ecef.x, ecef.y), ecef.z);
         let (ap, bz) = (a * p, b * z.abs());
         // s = t + min(a², b²) keeps its digits near the pole of the equation, where t would cancel.
         let difference = (a - b) * (a + b);
@@ -125,11 +125,11 @@ impl Ellipsoid {
             s += step;
         }
         // The foot's normal is (p/(t+a²), z/(t+b²)); cross-multiplied so that neither pole divides by zero.
-        let lat = (z * (s + da)).atan2(p * (s + db));
-        let (sin, cos) = lat.sin_cos();
+        let lat = libm::atan2(z * (s + da), p * (s + db));
+        let (sin, cos) = libm::sincos(lat);
         // h = r·n − a²/N: stationary in lat, so it keeps the full precision of the input.
         let height = p * cos + z * sin - a * (1.0 - self.e2() * sin * sin).sqrt();
-        let lon = ecef.y.atan2(ecef.x);
+        let lon = libm::atan2(ecef.y, ecef.x);
         let lon = if lon <= -std::f64::consts::PI { std::f64::consts::PI } else { lon };
         Ok(Geodetic { lat, lon, height })
     }
@@ -177,7 +177,7 @@ fn difference_of_squares(radius: f64, v: DVec3) -> f64 {
 
 /// The ellipsoid's outward unit normal at a place: up.
 pub fn normal(lat: f64, lon: f64) -> DVec3 {
-    let ((sin_lat, cos_lat), (sin_lon, cos_lon)) = (lat.sin_cos(), lon.sin_cos());
+    let ((sin_lat, cos_lat), (sin_lon, cos_lon)) = (libm::sincos(lat), libm::sincos(lon));
     DVec3::new(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat)
 }
 
@@ -189,7 +189,7 @@ pub fn normal(lat: f64, lon: f64) -> DVec3 {
 ///   up (z) o── east (x)
 /// ```
 pub fn ecef_from_enu(lat: f64, lon: f64) -> DMat3 {
-    let ((sin_lat, cos_lat), (sin_lon, cos_lon)) = (lat.sin_cos(), lon.sin_cos());
+    let ((sin_lat, cos_lat), (sin_lon, cos_lon)) = (libm::sincos(lat), libm::sincos(lon));
     DMat3::from_cols(
         DVec3::new(-sin_lon, cos_lon, 0.0),
         DVec3::new(-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat),

@@ -177,7 +177,7 @@ impl LiftedPatch {
             let wave = Wave {
                 column: (i + reach) as usize,
                 kx,
-                per_k: 1.0 / kx.hypot(ky),
+                per_k: 1.0 / libm::hypot(kx, ky),
                 // h0 (cos − i sin) + conj(h0(−k)) (cos + i sin).
                 parts: [[a + c, b - d], [b + d, c - a]],
                 cycles_per_tick: frequencies(with),

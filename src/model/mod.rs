@@ -1,8 +1,8 @@
 //! Floor 0: the science, in f64 and SI units, with no GPU, no files and no network. It doubles as the reference that the
 //! shaders are tested against.
 //!
-//! Everything that feeds the waves takes its transcendental functions from `libm`, never from the platform, so that a seed
-//! and a time give the same sea bit for bit natively and in WebAssembly.
+//! Everything that feeds the waves or the numbers of a frame takes its transcendental functions from `libm`, never from the platform, so that
+//! a link gives the same sea and the same picture bit for bit natively and in WebAssembly.
 
 pub mod beach;
 pub mod cascade;

@@ -94,7 +94,7 @@ pub struct Cell {
 
 /// Unit vector of a face's point (α, β), angles from the face's axis: the equiangular cube.
 fn direction(face: i32, a: f64, b: f64) -> DVec3 {
-    let (x, y) = (a.tan(), b.tan());
+    let (x, y) = (libm::tan(a), libm::tan(b));
     let side = if face % 2 == 0 { 1.0 } else { -1.0 };
     match face / 2 {
         0 => DVec3::new(side, x, y),
@@ -112,7 +112,7 @@ fn angles(face: i32, n: DVec3) -> Option<(f64, f64)> {
         1 => (n.y, n.x, n.z),
         _ => (n.z, n.x, n.y),
     };
-    (out * side > 0.3).then(|| ((x / (out * side)).atan(), (y / (out * side)).atan()))
+    (out * side > 0.3).then(|| (libm::atan(x / (out * side)), libm::atan(y / (out * side))))
 }
 
 /// The cells around a place, nearest first: at most [`MAX_CELLS`].
@@ -129,7 +129,7 @@ pub fn cells_near(lat: f64, lon: f64) -> Vec<Cell> {
             for j in (row - 2).max(0)..=(row + 2).min(CELLS - 1) {
                 let middle = |k: i32| (f64::from(k) + 0.5) * width - FRAC_PI_4;
                 let n = direction(face, middle(i), middle(j));
-                let (lat, lon) = (n.z.atan2(n.x.hypot(n.y)), n.y.atan2(n.x));
+                let (lat, lon) = (libm::atan2(n.z, libm::hypot(n.x, n.y)), libm::atan2(n.y, n.x));
                 let centre = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
                 cells.push(Cell { address: [face, i, j], lat, lon, centre });
             }
@@ -178,12 +178,12 @@ impl Plane {
     pub fn new(cell: &Cell, seed: u32, wind_from: f64) -> Self {
         let enu = earth::ecef_from_enu(cell.lat, cell.lon);
         let axes = [enu.x_axis, enu.y_axis];
-        let (sin, cos) = cell.lat.sin_cos();
+        let (sin, cos) = libm::sincos(cell.lat);
         let (a, b) = (WGS84.a, WGS84.b);
         let radius = a * a / (a * a * cos * cos + b * b * sin * sin).sqrt();
         // Northward on the prime meridian is −x at the north pole, +x at the south pole.
         let polar_north = DVec2::new(axes[0].x, axes[1].x) * -cell.lat.signum();
-        let (wind_sin, wind_cos) = wind_from.sin_cos();
+        let (wind_sin, wind_cos) = libm::sincos(wind_from);
         let [face, i, j] = cell.address;
         Self {
             centre: cell.centre,

@@ -176,7 +176,7 @@ impl Frame {
 
 fn set_view(u: &mut FrameUniform, camera: &Camera, size: [u32; 2]) {
     let axes = camera.basis_enu();
-    let half = (FIELD_OF_VIEW_Y / 2.0).tan();
+    let half = libm::tan(FIELD_OF_VIEW_Y / 2.0);
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     u.ray_right = (axes.right * half * aspect).as_vec3();
     u.ray_up = (axes.up * half).as_vec3();
@@ -197,7 +197,7 @@ fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     let scale = 0.5 * a;
     let diagonal = DMat3::from_diagonal(scale / DVec3::new(a * a, a * a, b * b));
     let q = enu.transpose() * diagonal * enu;
-    let (sin, cos) = camera.lat.sin_cos();
+    let (sin, cos) = libm::sincos(camera.lat);
     let nu = (a * a * cos * cos + b * b * sin * sin).sqrt();
     // The foot's gradient is exactly along its normal; the height adds Q·h·up. F(eye) follows without cancellation.
     let gradient_at = |h: f64| DVec3::new(0.0, 0.0, scale / nu) + q * DVec3::new(0.0, 0.0, h);
@@ -233,11 +233,11 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
         let p = MapPoint::on(projection, lat, lon);
         [p.u, p.v]
     };
-    u.mercator_sin = anchor.sin() as f32;
-    u.mercator_sin_delta = (lat.sin() - anchor.sin()) as f32;
+    u.mercator_sin = libm::sin(anchor) as f32;
+    u.mercator_sin_delta = (libm::sin(lat) - libm::sin(anchor)) as f32;
     u.mercator_fixed = fixed(Projection::Mercator, anchor, lon);
-    u.meridian = DVec2::new(lon.cos(), lon.sin()).as_vec2();
-    let foot = DVec3::new(lat.cos(), 0.0, lat.sin());
+    u.meridian = DVec2::new(libm::cos(lon), libm::sin(lon)).as_vec2();
+    let foot = DVec3::new(libm::cos(lat), 0.0, libm::sin(lat));
     let polar = |side: f64, projection| {
         let near = lat * side > 80f64.to_radians();
         let point = if near { DVec2::new(foot.x / (1.0 + side * foot.z), 0.0) } else { DVec2::ZERO };

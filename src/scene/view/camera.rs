@@ -95,8 +95,8 @@ impl Camera {
 
     /// The axes of the view in the east-north-up frame of the eye.
     pub fn basis_enu(&self) -> Basis {
-        let (sin_h, cos_h) = self.heading.sin_cos();
-        let (sin_t, cos_t) = self.tilt.sin_cos();
+        let (sin_h, cos_h) = libm::sincos(self.heading);
+        let (sin_t, cos_t) = libm::sincos(self.tilt);
         Basis {
             right: DVec3::new(cos_h, -sin_h, 0.0),
             up: DVec3::new(cos_t * sin_h, cos_t * cos_h, sin_t),
