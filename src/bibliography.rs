@@ -13,6 +13,11 @@ pub enum Tessendorf2001 {}
 /// J. Opt. Soc. Am. 44, 838–850. <https://doi.org/10.1364/JOSA.44.000838>
 pub enum CoxMunk1954 {}
 
+/// Ross, V., Dion, D. and Potter, G. (2005), *Detailed analytical approach to the Gaussian surface bidirectional reflectance
+/// distribution function specular component applied to the sea surface*, J. Opt. Soc. Am. A 22, 2442–2453.
+/// <https://doi.org/10.1364/JOSAA.22.002442>
+pub enum Ross2005 {}
+
 /// Toba, Y. (1973), *Local balance in the air-sea boundary processes III*, J. Oceanogr. Soc. Japan 29, 209–220: the
 /// ω⁻⁴ equilibrium range, which is k⁻³·⁵ as a density over the wave-number plane. <https://doi.org/10.1007/BF02108528>
 pub enum Toba1973 {}

@@ -13,6 +13,7 @@ use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
 use crate::pass::land::Land;
 use crate::pass::ocean::{Look, Ocean};
+use crate::pass::rough_table;
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
@@ -99,8 +100,9 @@ impl Renderer {
         let air_table = AirTable::new(&gpu, frame);
         let sky_table = SkyTable::new(&gpu, frame, &air_table.layout);
         let sky_view = SkyView::new(&gpu, frame, &air_table.layout);
-        let light =
-            [&sky_table.radiance, &sky_table.irradiance, &sky_view.sky, &sky_view.haze, &air_table.transmittance];
+        let rough = rough_table::view(&gpu);
+        let SkyTable { radiance: sky_radiance, irradiance, .. } = &sky_table;
+        let light = [sky_radiance, irradiance, &sky_view.sky, &sky_view.haze, &air_table.transmittance, &rough];
         let surface = Surface::new(&gpu, frame, light.map(Clone::clone));
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);

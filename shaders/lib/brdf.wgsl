@@ -1,4 +1,4 @@
-// Reflection at the rough sea: Fresnel, the sun's glitter, and the mean reflectance of what a pixel cannot resolve.
+// Reflection at the rough sea: Fresnel, the sun's glitter, and what facets mirror that a pixel cannot resolve.
 
 const WATER_INDEX = 1.333;
 
@@ -11,16 +11,43 @@ fn fresnel_water(cos_incident: f32) -> f32 {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
-// Mean reflectance of a rough sea of slope variance sigma2 (E. Bruneton, F. Neyret, N. Holzschuch 2010, eq. 15 with R0 = 0.02).
-fn mean_fresnel(cos_view: f32, sigma2: f32) -> f32 {
-    let sigma = sqrt(sigma2);
-    let smooth_part = fresnel_water(cos_view);
-    let rough = 0.02 + 0.98 * pow(1.0 - cos_view, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
-    return mix(smooth_part, rough, smoothstep(0.0, 0.02, sigma2));
+@group(1) @binding(10) var rough_mirrors: texture_2d<f32>;   // reflectance, sine of the elevation; of src/model/rough_water.rs
+
+struct Mirrored { reflectance: f32, sine: f32 }
+
+// What facets about a mean plane mirror, which is seen under the cosine `cos_view`, with slopes of variance sigma2 along the view.
+fn rough_mirror(cos_view: f32, sigma2: f32) -> Mirrored {
+    let root = sign(cos_view) * sqrt(abs(cos_view));
+    let place = vec2f((root + 0.5) / 1.5, sqrt(sqrt(sigma2) / 0.6));
+    let size = vec2f(textureDimensions(rough_mirrors));
+    let mean = textureSampleLevel(rough_mirrors, clamped, (clamp(place, vec2f(0.0), vec2f(1.0)) * (size - 1.0) + 0.5) / size, 0.0).xy;
+    return Mirrored(mean.x, mean.y);
+}
+
+// Variance of the slopes towards `direction`, of rough.x along the unit vector `along` and rough.y across it.
+fn variance_towards(direction: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> f32 {
+    let flat = direction - dot(direction, up) * up;
+    let ahead = dot(flat, along);
+    return mix(rough.y, rough.x, ahead * ahead / max(dot(flat, flat), 1e-9));
+}
+
+// Distribution function of the normal distribution (M. Abramowitz and I. Stegun 1964, 7.1.26: within 1e-7).
+fn normal_share(x: f32) -> f32 {
+    let z = abs(x) * sqrt(0.5);
+    let t = 1.0 / (1.0 + 0.3275911 * z);
+    let tail = 0.5 * t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * exp(-z * z);
+    return select(tail, 1.0 - tail, x >= 0.0);
+}
+
+// Area that facets show to a direction, of level ground's: `cosine` is what their mean plane shows, `spread` the deviation of that.
+fn shown_area(cosine: f32, spread: f32) -> f32 {
+    let x = clamp(cosine / max(spread, 1e-5), -6.0, 1e4);
+    return max(max(spread, 1e-5) * (x * normal_share(x) + exp(-0.5 * x * x) * 0.3989422804014327), 1e-7);
 }
 
 // Radiance of the sun's glitter per unit solar irradiance, for Gaussian slopes about `normal` of variance rough.x along the
-// unit vector `along` and rough.y across it (C. Cox and W. Munk 1954; eq. 13 of the paper above).
+// unit vector `along` and rough.y across it (C. Cox and W. Munk 1954), of facets that neither hides from eye or sun, by Smith's
+// shadowing for correlated heights (V. Ross, D. Dion and G. Potter 2005).
 fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> f32 {
     let sum = view + sun;
     let half_vector = sum / max(length(sum), 1e-6);
@@ -34,7 +61,16 @@ fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, roug
     let d_across = max(dot(d, d) - d_along * d_along, 0.0);
     let density = exp(-0.5 * (d_along * d_along / variance.x + d_across / variance.y))
         / (6.283185307179586 * sqrt(variance.x * variance.y));
-    let cos_view = max(dot(view, up), 0.02);
-    let shadow = smoothstep(-0.02, 0.05, dot(sun, up));
-    return shadow * fresnel_water(dot(half_vector, view)) * density / (4.0 * hz * hz * hz * hz * cos_view);
+    let seen = shown_part(view, normal, nz, up, along, variance);
+    let lit = shown_part(sun, normal, nz, up, along, variance);
+    let unhidden = max(seen.y + max(seen.x, 0.0) * (lit.y / max(lit.x, 1e-4) - 1.0), 1e-6);
+    return fresnel_water(dot(half_vector, view)) * density / (4.0 * hz * hz * hz * hz * unhidden);
+}
+
+// What a patch with the mean plane of `normal` shows to a direction, of level ground's area: the plane, and its facets.
+fn shown_part(direction: vec3f, normal: vec3f, normal_z: f32, up: vec3f, along: vec3f, variance: vec2f) -> vec2f {
+    let plane = dot(direction, normal) / normal_z;
+    let z = dot(direction, up);
+    let spread = sqrt(max(1.0 - z * z, 0.0) * variance_towards(direction, up, along, variance));
+    return vec2f(plane, shown_area(plane, spread));
 }

@@ -2,10 +2,10 @@
 #import light
 #import brdf
 
-// Reflectance of deep water, as seen from above straight down: pi times the remote-sensing reflectance of the open ocean with 0.2 mg of
+// Reflectance of deep water, as seen from above straight down: pi times the remote-sensing reflectance of the open ocean with 0.1 mg of
 // chlorophyll per cubic metre (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as
 // linear sRGB). It holds the surface's transmission both ways.
-const DEEP_REFLECTANCE = vec3f(0.0, 0.0058, 0.0228);
+const DEEP_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
 const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
@@ -38,26 +38,21 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let mu_sun = dot(frame.sun, w.up);
     let sun = light.sun;
     let ambient = light.sky;
-    // A facet that would face away from the eye is hidden by one that does not.
-    var normal = w.normal;
-    let facing = dot(normal, w.to_eye);
-    if facing < 0.02 { normal = normalize(normal + (0.02 - facing) * w.to_eye); }
-    let cos_view = clamp(dot(normal, w.to_eye), 0.0, 1.0);
-    let slope_variance = w.rough.x + w.rough.y;
-    let reflectance = mean_fresnel(cos_view, slope_variance);
-    var mirrored = reflect(-w.to_eye, normal);
-    // Roughness tilts grazing reflections towards the zenith (mean of the facets that the eye sees).
-    let lift = 0.7 * sqrt(slope_variance) * (1.0 - cos_view);
-    let above = dot(mirrored, w.up);
-    mirrored = normalize(mirrored + (lift + max(-above, 0.0) * 1.1) * w.up);
+    let cos_view = dot(w.normal, w.to_eye);
+    let mean = rough_mirror(cos_view, variance_towards(w.to_eye, w.up, w.along, w.rough));
+    let reflectance = mean.reflectance;
+    let away = cos_view * w.normal - w.to_eye;
+    var mirrored = mean.sine * w.normal + sqrt(max(1.0 - mean.sine * mean.sine, 0.0)) * away / max(length(away), 1e-6);
+    // What would come from under the horizon has been mirrored before, by other water.
+    mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
-    let sparkle = sun * glitter(w.to_eye, frame.sun, normal, w.up, w.along, w.rough);
+    let sparkle = sun * glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = DEEP_REFLECTANCE / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-BED_ABSORPTION * w.depth);
     let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
     // Foam lies on the slopes: those towards the sun are brighter.
-    let foam = FOAM_ALBEDO / PI * (sun * max(dot(normal, frame.sun), 0.0) + ambient);
+    let foam = FOAM_ALBEDO / PI * (sun * max(dot(w.normal, frame.sun), 0.0) + ambient);
     return mix(reflected + sparkle + through, foam, clamp(w.foam, 0.0, 1.0));
 }
 

@@ -49,6 +49,17 @@ impl Gpu {
             view_formats: &[],
         })
     }
+
+    /// Fills a picture's first mip level with `bytes`, row by row.
+    pub fn fill(&self, texture: &wgpu::Texture, bytes: &[u8]) {
+        let rows = texture.height();
+        let layout = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes.len() as u32 / rows),
+            rows_per_image: Some(rows),
+        };
+        self.queue.write_texture(texture.as_image_copy(), bytes, layout, texture.size());
+    }
 }
 
 /// The whole texture.

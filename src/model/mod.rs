@@ -20,6 +20,7 @@ pub mod noise;
 pub mod optics;
 pub mod perlin;
 pub mod quadrature;
+pub mod rough_water;
 pub mod sea;
 pub mod sea_bed;
 pub mod sea_spectrum;

@@ -62,9 +62,9 @@ pub fn water_alpha(rho_per_m: f64, depth_m: f64) -> f64 {
     (1.0 - (-rho_per_m * depth_m).exp()).clamp(0.0, 1.0)
 }
 
-/// Reflectance of deep water in red, green and blue, as seen from above straight down: the open ocean with 0.2 mg of chlorophyll per
+/// Reflectance of deep water in red, green and blue, as seen from above straight down: the open ocean with 0.1 mg of chlorophyll per
 /// cubic metre. Equals `DEEP_REFLECTANCE` in `shaders/lib/water.wgsl`, which tells its source.
-pub const DEEP_REFLECTANCE: [f64; 3] = [0.0, 0.0058, 0.0228];
+pub const DEEP_REFLECTANCE: [f64; 3] = [0.0, 0.0043, 0.0265];
 
 /// Opacity from which on nothing of the bed can be seen: less than 1/250 of its light comes through. Equals `OPAQUE_ALPHA` in
 /// `shaders/land.wgsl`.

@@ -12,6 +12,7 @@ pub mod kind;
 pub mod land;
 pub mod ocean;
 pub mod perlin;
+pub mod rough_table;
 pub mod sky;
 pub mod sky_table;
 pub mod sky_view;

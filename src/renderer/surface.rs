@@ -18,7 +18,7 @@ use crate::scene::sea::foam::Whitecaps;
 use crate::scene::sea::foam_history::{FoamStep, History};
 
 /// Views of the tables of light, in the order of the bindings.
-pub(super) type Light = [wgpu::TextureView; 5];
+pub(super) type Light = [wgpu::TextureView; 6];
 
 /// Samples along a side of the patches until the first sea says otherwise.
 const SAMPLES: usize = 256;
@@ -29,7 +29,8 @@ pub(super) struct Surface {
     perlin: Perlin,
     foam: Foam,
     history: History,
-    /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance.
+    /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance; what a rough
+    /// sea mirrors.
     light: Light,
     /// Layout of bind group 1.
     pub(super) layout: wgpu::BindGroupLayout,
@@ -53,7 +54,7 @@ impl Surface {
     pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, light: Light) -> Self {
         use wgpu::TextureViewDimension::{D2, D2Array, D3};
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2].map(Bind::Texture);
+        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2].map(Bind::Texture);
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
         let layout = gpu.layout("surface", stages, &binds);

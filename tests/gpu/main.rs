@@ -11,6 +11,7 @@ mod foam_coverage;
 mod foam_history;
 mod foam_lace;
 mod foam_map;
+mod glitter;
 mod kernel;
 mod pool;
 mod precision;

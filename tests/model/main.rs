@@ -12,6 +12,7 @@ mod noise;
 mod optics;
 mod oracle_sea;
 mod same_sea;
+mod rough_water;
 mod sea_bed;
 mod sea_state;
 mod seas;

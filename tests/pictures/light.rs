@@ -78,6 +78,40 @@ fn the_sky_is_that_of_a_clear_day() {
     assert!(towards > 4.0 * away, "{towards} towards the sun, {away} away from it");
 }
 
+/// Mean radiance of the sea at a depression, degrees, from 15 m: of a band a tenth of that high, over five places.
+fn sea(renderer: &mut Renderer, depression: f64) -> [f64; 3] {
+    let size = [160, 90];
+    let (mut sum, mut count) = ([0.0; 3], 0.0);
+    for place in 0..5 {
+        let lon = -30.0 + 0.01 * f64::from(place);
+        let state = format!("#view=0,{lon},15,0,{}&{AT_40_DEG}", 90.0 - depression);
+        let measured =
+            render::measure(renderer, &render::parse_state(&state).unwrap(), size, LayerName::Radiance).unwrap();
+        // The picture is 60 degrees high.
+        let half = (depression / 20.0 * 1.5).round().max(1.0) as usize;
+        for row in 45 - half..45 + half {
+            for column in 40..120 {
+                let pixel = 3 * (row * 160 + column);
+                sum = std::array::from_fn(|part| sum[part] + measured.values[pixel + part]);
+                count += 1.0;
+            }
+        }
+    }
+    sum.map(|part| part / count)
+}
+
+#[test]
+fn the_sea_mirrors_the_sky_as_rough_water_does() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let zenith = luminance(seen(&mut renderer, "0,-30,10,0,179.9"));
+    // A quarter turn from the sun; over the zenith's luminance, by spectral models of sky, facets and water.
+    for (depression, wanted) in [(45.0, 0.097), (20.0, 0.30), (10.0, 0.58), (5.0, 0.78), (2.0, 0.91)] {
+        let found = luminance(sea(&mut renderer, depression)) / zenith;
+        println!("{depression} degrees: {found:.3} of {wanted}");
+        assert!((found / wanted - 1.0).abs() < 0.15, "{depression} degrees down: {found}, not {wanted}");
+    }
+}
+
 #[test]
 fn the_display_has_the_tone_of_agx() {
     // A grey card in the light that the exposure is metered for.
