@@ -2,6 +2,7 @@
 // rays meet the ellipsoid. It shows what land.wgsl and ocean.wgsl would. `MEASURED` is of src/pass/kind.rs.
 #import foam
 #import ground
+#import gusts
 #import limb
 #import output
 #import sky
@@ -68,8 +69,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if ground.is_ocean {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
         let foam = calmed * share_from_afar(0.0, across / pow(grazing, 0.9));
-        water = WaterPoint(-direction, up, up, along_wind(up), slopes_at(rest, distance, across / sqrt(grazing)).rough, water_alpha(depth),
-            depth, lit.radiance, foam);
+        let footprint = across / sqrt(grazing);
+        let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
+        water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth, lit.radiance, foam);
         water_share = 1.0;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);

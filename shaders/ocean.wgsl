@@ -7,6 +7,7 @@
 #import foam
 #import limb
 #import waves
+#import gusts
 #import water
 #import output
 
@@ -122,7 +123,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let grazing = max(abs(dot(direction, up)), 0.002);
     let across = distance * frame.pixel_angle;
     let footprint = across / sqrt(grazing);
-    let ground = ground_at(map_point(dn), sin_lat, max(across, 1.0));
+    let point = map_point(dn);
+    let ground = ground_at(point, sin_lat, max(across, 1.0));
     if !ground.is_ocean {
         discard;
         return vec4f(0.0);
@@ -149,7 +151,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         foam = calmed * share_from_afar(in.height, foam_footprint);
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
-    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough, alpha, depth,
+    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,
         behind / max(frame.exposure, 1e-9), foam), daylight_at(dot(frame.sun, up)));
     let air = haze(direction, distance);
     var radiance = water * air.transmittance + air.radiance;

@@ -4,7 +4,7 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
-use crate::gpu::full_screen::FullScreen;
+use crate::gpu::drawing::begin;
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
@@ -18,7 +18,6 @@ use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
 use crate::pass::world_tiles::WorldTiles;
-use crate::pass::{backdrop, tonemap};
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::Seas;
@@ -36,7 +35,7 @@ mod targets;
 pub use cost::Cost;
 use mesh::Mesh;
 use surface::Surface;
-use targets::{DEPTH_FORMAT, Targets, begin};
+use targets::{DEPTH_FORMAT, Passes, Targets};
 pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
@@ -62,8 +61,7 @@ pub struct Renderer {
     globe: Globe,
     land: Land,
     ocean: Ocean,
-    backdrop: FullScreen,
-    tonemap: FullScreen,
+    passes: Passes,
     targets: Option<Targets>,
     moving: bool,
     clear: Option<wgpu::Color>,
@@ -111,8 +109,7 @@ impl Renderer {
             globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
-            backdrop: backdrop::pass(&gpu, [radiance, DEPTH_FORMAT]),
-            tonemap: tonemap::pass(&gpu, TARGET_FORMAT),
+            passes: Passes::new(&gpu, radiance),
             radiance_format: radiance,
             streaming: Streaming::default(),
             tiles,
@@ -251,10 +248,9 @@ impl Renderer {
             if layers & SHOWS_SEA != 0 {
                 self.ocean.draw(&mut pass, (frame, look), frame_group, surface, self.mesh.drawn());
             }
-            self.backdrop.draw(&mut pass);
+            self.passes.draw_backdrop(&mut pass, targets);
         }
-        let mut pass = begin(encoder, "tonemap", target, wgpu::Color::BLACK, None);
-        self.tonemap.draw(&mut pass);
+        self.passes.draw_tone(encoder, targets, frame.glows, target);
     }
 
     /// Hands the frame to the GPU. Returns what kind of picture it is.
@@ -272,10 +268,8 @@ impl Renderer {
         if self.targets.as_ref().is_some_and(|targets| targets.size == size) {
             return;
         }
-        let targets = Targets::new(&self.gpu, size, self.radiance_format);
+        let targets = Targets::new(&self.gpu, size, self.radiance_format, &self.passes);
         self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
-        self.backdrop.set_source(&self.gpu, &targets.scene);
-        self.tonemap.set_source(&self.gpu, &texture::view(&targets.radiance));
         self.targets = Some(targets);
     }
 

@@ -1,4 +1,4 @@
-//! One triangle over a whole picture, which reads another picture texel by texel.
+//! One triangle over a whole picture, which reads other pictures.
 
 use super::Gpu;
 use super::pipeline::{Bind, DepthTest, Drawing};
@@ -8,33 +8,31 @@ pub struct FullScreen {
     label: &'static str,
     layout: wgpu::BindGroupLayout,
     pipeline: Drawing,
-    group: Option<wgpu::BindGroup>,
 }
 
 impl FullScreen {
-    /// A shader with the entry points `vertex` and `fragment`, whose group 0 holds the picture that is read, into a target of `format`
-    /// and, where there is a depth, through its test.
+    /// A shader with the entry points `vertex` and `fragment`, whose group 0 holds `binds`, into a target of `format` and, where there
+    /// is a depth, through its test.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
         source: &str,
+        binds: &[Bind],
         format: wgpu::TextureFormat,
         depth: Option<(wgpu::TextureFormat, DepthTest)>,
     ) -> Self {
-        let binds = [Bind::Texels(wgpu::TextureViewDimension::D2)];
-        let layout = gpu.layout(label, wgpu::ShaderStages::FRAGMENT, &binds);
+        let layout = gpu.layout(label, wgpu::ShaderStages::FRAGMENT, binds);
         let pipeline = gpu.drawing(label, (source, "vertex"), &[&layout], &[], format, depth);
-        Self { label, layout, pipeline, group: None }
+        Self { label, layout, pipeline }
     }
 
-    /// Takes the picture to read; before it nothing is drawn.
-    pub fn set_source(&mut self, gpu: &Gpu, picture: &wgpu::TextureView) {
-        self.group = Some(gpu.bind(self.label, &self.layout, &[wgpu::BindingResource::TextureView(picture)]));
+    /// What is to be read.
+    pub fn read(&self, gpu: &Gpu, resources: &[wgpu::BindingResource]) -> wgpu::BindGroup {
+        gpu.bind(self.label, &self.layout, resources)
     }
 
     /// Draws it.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        let Some(group) = &self.group else { return };
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, group: &wgpu::BindGroup) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);

@@ -1,6 +1,7 @@
 //! Floor 3: how to speak wgpu. Knows nothing of oceans.
 
 pub mod context;
+pub mod drawing;
 pub mod full_screen;
 pub mod mesh;
 pub mod mips;

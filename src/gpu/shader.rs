@@ -15,7 +15,7 @@ macro_rules! libraries {
 pub const LIBRARY: &[(&str, &str)] = libraries![
     "air", "air_coordinates", "atmosphere", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf",
     "cuboid", "domain", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "frame", "full_screen",
-    "ground", "ground_colour", "ground_slope", "hash", "light", "limb", "map", "noise", "output", "projected_grid",
+    "glow", "ground", "ground_colour", "ground_slope", "gusts", "hash", "light", "limb", "map", "no_glow", "noise", "output", "projected_grid",
     "scattering", "sky", "sky_coordinates", "stockham", "sunlight", "trigonometry", "water", "wave_patches", "waves",
     "world",
 ];

@@ -1,7 +1,7 @@
 //! Sky and land where no sea has been drawn over them: only these pixels of the scene are copied.
 
 use crate::gpu::full_screen::FullScreen;
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{Bind, DepthTest};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -11,5 +11,6 @@ pub fn source() -> String {
 
 /// The pass into formats of colour and depth, the sea's.
 pub fn pass(gpu: &Gpu, [colour, depth]: [wgpu::TextureFormat; 2]) -> FullScreen {
-    FullScreen::new(gpu, "backdrop", &source(), colour, Some((depth, DepthTest::Undrawn)))
+    let scene = Bind::Texels(wgpu::TextureViewDimension::D2);
+    FullScreen::new(gpu, "backdrop", &source(), &[scene], colour, Some((depth, DepthTest::Undrawn)))
 }

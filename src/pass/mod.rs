@@ -3,6 +3,7 @@
 pub mod air_table;
 pub mod backdrop;
 pub mod bisect;
+pub mod bloom;
 pub mod due;
 pub mod fft;
 pub mod foam;

@@ -1,14 +1,20 @@
-//! Scene radiance to display colours: the last pass, into whatever target the caller has.
+//! Scene radiance and its glow to display colours: the last pass, into whatever target the caller has.
 
 use crate::gpu::full_screen::FullScreen;
+use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
 
-/// The composed shader.
-pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/tonemap.wgsl"), "")
+/// The composed shader, with a glow or without.
+pub fn source(glow: bool) -> String {
+    let import = if glow { "#import glow\n" } else { "#import no_glow\n" };
+    shader::composed(&(import.to_owned() + include_str!("../../shaders/tonemap.wgsl")), "")
 }
 
-/// The pass into a target of `format`, which takes display (gamma) values.
-pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat) -> FullScreen {
-    FullScreen::new(gpu, "tonemap", &source(), format, None)
+/// The pass into a target of `format`, which takes display (gamma) values. It reads the scene's radiance and, with a glow, that and a
+/// sampler.
+pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat, glow: bool) -> FullScreen {
+    use wgpu::TextureViewDimension::D2;
+    let binds = [Bind::Texels(D2), Bind::Texture(D2), Bind::Sampler];
+    let binds = if glow { &binds[..] } else { &binds[..1] };
+    FullScreen::new(gpu, "tonemap", &source(glow), binds, format, None)
 }

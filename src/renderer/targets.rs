@@ -1,7 +1,11 @@
 //! What the renderer draws into: formats, and the textures whose size is the picture's.
 
 use crate::gpu::Gpu;
+use crate::gpu::drawing::begin;
+use crate::gpu::full_screen::FullScreen;
 use crate::gpu::texture::{self, Shape};
+use crate::pass::bloom::{Bloom, Glow};
+use crate::pass::{backdrop, tonemap};
 
 /// Format of the target that [`Renderer::render`](super::Renderer::render) draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -25,8 +29,56 @@ impl Radiance {
     }
 }
 
+/// The passes over whole pictures.
+pub(super) struct Passes {
+    backdrop: FullScreen,
+    bloom: Bloom,
+    /// The tone without a glow.
+    plain: FullScreen,
+    /// And with one.
+    glowing: FullScreen,
+}
+
+impl Passes {
+    /// Those of scenes whose radiance is stored as `radiance`.
+    pub(super) fn new(gpu: &Gpu, radiance: wgpu::TextureFormat) -> Self {
+        Self {
+            backdrop: backdrop::pass(gpu, [radiance, DEPTH_FORMAT]),
+            bloom: Bloom::new(gpu),
+            plain: tonemap::pass(gpu, TARGET_FORMAT, false),
+            glowing: tonemap::pass(gpu, TARGET_FORMAT, true),
+        }
+    }
+
+    /// The scene where the sea has left it.
+    pub(super) fn draw_backdrop(&self, pass: &mut wgpu::RenderPass, targets: &Targets) {
+        self.backdrop.draw(pass, &targets.backdrop);
+    }
+
+    /// From radiance to the display, with a glow if that is asked for.
+    pub(super) fn draw_tone(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        glows: bool,
+        target: &wgpu::TextureView,
+    ) {
+        let glow = targets.glow.as_ref().filter(|_| glows);
+        if let Some((glow, _)) = glow {
+            self.bloom.draw(encoder, glow);
+        }
+        let (tone, group) = glow.map_or((&self.plain, &targets.plain), |(_, group)| (&self.glowing, group));
+        tone.draw(&mut begin(encoder, "tonemap", target, wgpu::Color::BLACK, None), group);
+    }
+}
+
 /// The textures whose size is the picture's.
 pub(super) struct Targets {
+    /// What the backdrop reads, and the tone without a glow and with one.
+    pub(super) backdrop: wgpu::BindGroup,
+    pub(super) plain: wgpu::BindGroup,
+    /// `None` for measurements.
+    pub(super) glow: Option<(Glow, wgpu::BindGroup)>,
     pub(super) size: [u32; 2],
     /// Sky and land, as the sea sees them.
     pub(super) scene: wgpu::TextureView,
@@ -37,42 +89,27 @@ pub(super) struct Targets {
 }
 
 impl Targets {
-    pub(super) fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> Self {
+    pub(super) fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat, passes: &Passes) -> Self {
         use wgpu::TextureUsages as T;
         let picture = Shape::picture(size[0], size[1]);
         let depth = |label| texture::view(&gpu.texture(label, picture, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
+        let scene = texture::view(&gpu.texture("scene", picture, format, T::RENDER_ATTACHMENT));
+        let radiance = gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC);
+        let view = texture::view(&radiance);
+        let glow = (format == Radiance::Half.format()).then(|| {
+            let glow = passes.bloom.glow(gpu, size, &view);
+            let group = passes.bloom.read_with(gpu, &passes.glowing, &view, &glow);
+            (glow, group)
+        });
         Self {
+            backdrop: passes.backdrop.read(gpu, &[wgpu::BindingResource::TextureView(&scene)]),
+            plain: passes.plain.read(gpu, &[wgpu::BindingResource::TextureView(&view)]),
+            glow,
             size,
-            scene: texture::view(&gpu.texture("scene", picture, format, T::RENDER_ATTACHMENT)),
+            scene,
             scene_depth: depth("scene depth"),
-            radiance: gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC),
+            radiance,
             depth: depth("depth"),
         }
     }
-}
-
-/// A render pass over one colour target; the depth, where there is one, begins infinitely far and is kept or not.
-pub(super) fn begin<'a>(
-    encoder: &'a mut wgpu::CommandEncoder,
-    label: &str,
-    colour: &wgpu::TextureView,
-    clear: wgpu::Color,
-    depth: Option<(&wgpu::TextureView, wgpu::StoreOp)>,
-) -> wgpu::RenderPass<'a> {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some(label),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view: colour,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store },
-        })],
-        depth_stencil_attachment: depth.map(|(view, store)| wgpu::RenderPassDepthStencilAttachment {
-            view,
-            // Reversed depth: 0 is infinitely far.
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store }),
-            stencil_ops: None,
-        }),
-        ..Default::default()
-    })
 }

@@ -6,6 +6,7 @@ mod counting;
 use counting::{MARK, Reads, counting};
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::full_screen::FullScreen;
+use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::texture::{self, Shape};
 
 /// At column x: x + 3 texels in a loop, two in calls on the branch that is taken, and none on the one that is not.
@@ -43,8 +44,9 @@ fn a_fragment_counts_what_it_reads_through_loops_branches_and_calls() {
     let format = wgpu::TextureFormat::Rgba32Float;
     let black = gpu.texture("black", Shape::picture(8, 1), format, usage);
     let counts = gpu.texture("counts", Shape::picture(4, 1), format, usage);
-    let mut pass = FullScreen::new(&gpu, "counting", &rewritten, format, None);
-    pass.set_source(&gpu, &texture::view(&black));
+    let binds = [Bind::Texels(wgpu::TextureViewDimension::D2)];
+    let pass = FullScreen::new(&gpu, "counting", &rewritten, &binds, format, None);
+    let group = pass.read(&gpu, &[wgpu::BindingResource::TextureView(&texture::view(&black))]);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     {
         let view = texture::view(&counts);
@@ -57,7 +59,7 @@ fn a_fragment_counts_what_it_reads_through_loops_branches_and_calls() {
             })],
             ..Default::default()
         });
-        pass.draw(&mut drawing);
+        pass.draw(&mut drawing, &group);
     }
     gpu.queue.submit([encoder.finish()]);
     let bytes = gpu.read_texture(&counts, 0, 0).unwrap();

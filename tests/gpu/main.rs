@@ -3,6 +3,7 @@
 mod accesses;
 mod air;
 mod bisection;
+mod bloom;
 mod ensemble;
 mod exact;
 mod far_sea;
@@ -12,6 +13,7 @@ mod foam_history;
 mod foam_lace;
 mod foam_map;
 mod glitter;
+mod gusts;
 mod kernel;
 mod pool;
 mod precision;

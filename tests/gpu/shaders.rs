@@ -13,7 +13,7 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
+    air_table, backdrop, bisect, bloom, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
 };
 use ocean_globe::scene::frame::LACE_BLURRED_M;
 use ocean_globe::scene::frame::bisection::Bisection;
@@ -25,6 +25,7 @@ fn all() -> Vec<(&'static str, String)> {
     let kinds = [Precision::Half, Precision::Single].map(|p| [(p, Wanted::All), (p, Wanted::Stretches)]).concat();
     let transforms =
         (4..=11).flat_map(|log| kinds.iter().map(move |&(p, wanted)| ("fft.wgsl", fft::source(1 << log, p, wanted))));
+    let [bloom_down, bloom_up] = bloom::sources();
     let mut all = vec![
         ("transmittance_table.wgsl", air_table::sources()[0].clone()),
         ("multiple_table.wgsl", air_table::sources()[1].clone()),
@@ -38,7 +39,10 @@ fn all() -> Vec<(&'static str, String)> {
         ("perlin.wgsl", perlin::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("sky_view.wgsl", sky_view::source()),
-        ("tonemap.wgsl", tonemap::source()),
+        ("tonemap.wgsl", tonemap::source(false)),
+        ("tonemap.wgsl", tonemap::source(true)),
+        ("bloom_down.wgsl", bloom_down),
+        ("bloom_up.wgsl", bloom_up),
     ];
     for kind in Kind::all() {
         all.push(("globe.wgsl", globe::source(kind)));

@@ -42,6 +42,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
+    /// Whether the brightest parts of the picture glow.
+    pub glows: bool,
     /// Where the bisected mesh shall be refined, when it is drawn.
     pub bisection: Option<Bisection>,
     /// The block for the GPU.
@@ -87,6 +89,7 @@ impl Frame {
         set_map(&mut uniform, camera);
         set_light(&mut uniform, settings.haze, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
+        set_gusts(&mut uniform, settings.wind_from());
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
         uniform.wave_cell_count = count;
@@ -109,6 +112,7 @@ impl Frame {
             foam_eye,
             whitecaps,
             foam_lifetime_s,
+            glows: settings.quality != Quality::Low,
             bisection,
             uniform,
             wave_cells,
@@ -257,6 +261,15 @@ fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64
     u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
     u.exposure = exposure(earth::normal(camera.lat, camera.lon).dot(sun), camera.altitude_m) as f32;
     u.haze = haze as f32;
+}
+
+/// The map of gusts is the Mercator square, turned into the wind and pressed along it: as `shaders/lib/gusts.wgsl`.
+fn set_gusts(u: &mut FrameUniform, wind_from: f64) {
+    const LENGTH: f64 = 3.0;
+    let (sin, cos) = libm::sincos(wind_from);
+    let (eye, axis) = (DVec2::from(u.mercator_fixed.map(f64::from)), DVec2::new(-sin, cos));
+    u.gust_axis = axis.as_vec2();
+    u.gust_origin = [axis.dot(eye) / LENGTH, axis.perp_dot(eye)].map(|part| part.rem_euclid(2f64.powi(32)) as u32);
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {

@@ -185,6 +185,10 @@ gpu_struct! {
         north_fixed: [u32; 2] = "vec2u",
         /// South fixed.
         south_fixed: [u32; 2] = "vec2u",
+        /// The eye's place in the map of gusts.
+        gust_origin: [u32; 2] = "vec2u",
+        /// Unit vector along the wind on the Mercator square, x east, y south.
+        gust_axis: Vec2 = "vec2f",
         /// Cosine and sine of the eye's longitude.
         meridian: Vec2 = "vec2f",
         /// Unit vector towards the sun.
