@@ -35,7 +35,7 @@ mod targets;
 pub use cost::Cost;
 use mesh::Mesh;
 use surface::Surface;
-use targets::{DEPTH_FORMAT, Passes, Targets};
+use targets::{DEPTH_FORMAT, Passes, SAMPLES, Targets};
 pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
@@ -188,7 +188,7 @@ impl Renderer {
     /// One frame into `target`, a view of [`TARGET_FORMAT`] of the frame's size. Records; the caller submits.
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
-        self.fit(frame.size);
+        self.fit(frame);
         self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
         let kind = self.upload(frame);
         let frame_group = &self.frame_group.group;
@@ -200,7 +200,8 @@ impl Renderer {
         if let Some(tiles) = &self.visible {
             self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
-            self.ocean.prepare(&self.gpu, mesh, look);
+            let samples = self.targets.as_ref().map_or(1, Targets::samples);
+            self.ocean.prepare(&self.gpu, mesh, look, samples);
             // Coarse tiles are far ones.
             self.land.set_tiles(&self.gpu, tiles.iter().rev());
         }
@@ -244,13 +245,13 @@ impl Renderer {
             }
             drop(pass);
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
-            let mut pass = begin(encoder, "sea", &radiance, clear, depth);
+            let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
-                self.ocean.draw(&mut pass, (frame, look), frame_group, surface, self.mesh.drawn());
+                self.ocean.draw(&mut pass, (frame, look, targets.samples()), frame_group, surface, self.mesh.drawn());
             }
             self.passes.draw_backdrop(&mut pass, targets);
         }
-        self.passes.draw_tone(encoder, targets, frame.glows, target);
+        self.passes.draw_tone(encoder, targets, frame.glows(), target);
     }
 
     /// Hands the frame to the GPU. Returns what kind of picture it is.
@@ -264,11 +265,16 @@ impl Renderer {
     }
 
     /// Makes the textures of the picture's size.
-    fn fit(&mut self, size: [u32; 2]) {
-        if self.targets.as_ref().is_some_and(|targets| targets.size == size) {
+    fn fit(&mut self, frame: &Frame) {
+        // From space there are no edges but the limb's, which its own shader makes smooth.
+        let smooth = frame.has_smooth_edges(self.gpu.software)
+            && self.visible.is_some()
+            && self.radiance_format == Radiance::Half.format();
+        let samples = if smooth { SAMPLES } else { 1 };
+        if self.targets.as_ref().is_some_and(|targets| (targets.size, targets.samples()) == (frame.size, samples)) {
             return;
         }
-        let targets = Targets::new(&self.gpu, size, self.radiance_format, &self.passes);
+        let targets = Targets::new(&self.gpu, frame.size, self.radiance_format, samples, &self.passes);
         self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
         self.targets = Some(targets);
     }

@@ -1,20 +1,37 @@
 //! The beginning of a render pass.
 
+/// What a render pass draws into.
+#[derive(Clone, Copy, Debug)]
+pub struct Colour<'a> {
+    /// One sample of a pixel, or several.
+    pub view: &'a wgpu::TextureView,
+    /// Where the mean of several goes, instead of themselves.
+    pub mean: Option<&'a wgpu::TextureView>,
+}
+
+impl<'a> From<&'a wgpu::TextureView> for Colour<'a> {
+    fn from(view: &'a wgpu::TextureView) -> Self {
+        Self { view, mean: None }
+    }
+}
+
 /// A render pass over one colour target; the depth, where there is one, begins infinitely far and is kept or not.
 pub fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
-    colour: &wgpu::TextureView,
+    colour: impl Into<Colour<'a>>,
     clear: wgpu::Color,
     depth: Option<(&wgpu::TextureView, wgpu::StoreOp)>,
 ) -> wgpu::RenderPass<'a> {
+    let Colour { view, mean } = colour.into();
+    let store = if mean.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some(label),
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view: colour,
+            view,
             depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store },
+            resolve_target: mean,
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
         })],
         depth_stencil_attachment: depth.map(|(view, store)| wgpu::RenderPassDepthStencilAttachment {
             view,

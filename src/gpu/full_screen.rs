@@ -1,7 +1,7 @@
 //! One triangle over a whole picture, which reads other pictures.
 
 use super::Gpu;
-use super::pipeline::{Bind, DepthTest, Drawing};
+use super::pipeline::{Bind, Depth, Drawing};
 
 /// A pass of one such triangle.
 pub struct FullScreen {
@@ -19,7 +19,7 @@ impl FullScreen {
         source: &str,
         binds: &[Bind],
         format: wgpu::TextureFormat,
-        depth: Option<(wgpu::TextureFormat, DepthTest)>,
+        depth: Option<Depth>,
     ) -> Self {
         let layout = gpu.layout(label, wgpu::ShaderStages::FRAGMENT, binds);
         let pipeline = gpu.drawing(label, (source, "vertex"), &[&layout], &[], format, depth);

@@ -68,6 +68,24 @@ pub enum DepthTest {
     Undrawn,
 }
 
+/// The depth that a drawing pipeline goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Depth {
+    /// Of the depth's texture.
+    pub format: wgpu::TextureFormat,
+    /// The test.
+    pub test: DepthTest,
+    /// Samples of a pixel, of depth and colour alike.
+    pub samples: u32,
+}
+
+impl Depth {
+    /// One sample of each pixel.
+    pub fn single(format: wgpu::TextureFormat, test: DepthTest) -> Self {
+        Self { format, test, samples: 1 }
+    }
+}
+
 impl Bind {
     fn binding_type(self) -> wgpu::BindingType {
         use wgpu::{BindingType as T, BufferBindingType as B, TextureSampleType as S};
@@ -176,7 +194,7 @@ impl Gpu {
     }
 
     /// A drawing pipeline from a source with its entry for vertices, and `fragment`, into a target's format, with a blend or without, and
-    /// through the format and the test of the depth where there is one.
+    /// through a depth where there is one.
     pub fn drawing(
         &self,
         label: &str,
@@ -184,7 +202,7 @@ impl Gpu {
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
         target: impl Into<wgpu::ColorTargetState>,
-        depth: Option<(wgpu::TextureFormat, DepthTest)>,
+        depth: Option<Depth>,
     ) -> Drawing {
         let target = target.into();
         let module = self.module(label, source);
@@ -211,7 +229,7 @@ impl Gpu {
                     buffers: &buffers,
                 },
                 primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: depth.map(|(format, test)| wgpu::DepthStencilState {
+                depth_stencil: depth.map(|Depth { format, test, .. }| wgpu::DepthStencilState {
                     format,
                     depth_write_enabled: Some(test == DepthTest::Nearest),
                     depth_compare: Some(match test {
@@ -221,7 +239,10 @@ impl Gpu {
                     stencil: Default::default(),
                     bias: Default::default(),
                 }),
-                multisample: Default::default(),
+                multisample: wgpu::MultisampleState {
+                    count: depth.map_or(1, |depth| depth.samples),
+                    ..Default::default()
+                },
                 fragment: Some(wgpu::FragmentState {
                     module: &module,
                     entry_point: Some("fragment"),

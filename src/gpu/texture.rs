@@ -13,6 +13,8 @@ pub struct Shape {
     pub depth: u32,
     /// Mip levels.
     pub mips: u32,
+    /// Of a texel.
+    pub samples: u32,
     /// Two- or three-dimensional.
     pub dimension: wgpu::TextureDimension,
 }
@@ -20,12 +22,12 @@ pub struct Shape {
 impl Shape {
     /// A plain picture.
     pub fn picture(width: u32, height: u32) -> Self {
-        Self { width, height, depth: 1, mips: 1, dimension: wgpu::TextureDimension::D2 }
+        Self { width, height, depth: 1, mips: 1, samples: 1, dimension: wgpu::TextureDimension::D2 }
     }
 
     /// An array of `layers` squares with `mips` levels.
     pub fn array(side: u32, layers: u32, mips: u32) -> Self {
-        Self { width: side, height: side, depth: layers, mips, dimension: wgpu::TextureDimension::D2 }
+        Self { width: side, height: side, depth: layers, mips, samples: 1, dimension: wgpu::TextureDimension::D2 }
     }
 }
 
@@ -42,7 +44,7 @@ impl Gpu {
             label: Some(label),
             size: wgpu::Extent3d { width: shape.width, height: shape.height, depth_or_array_layers: shape.depth },
             mip_level_count: shape.mips,
-            sample_count: 1,
+            sample_count: shape.samples,
             dimension: shape.dimension,
             format,
             usage: usage | wgpu::TextureUsages::TEXTURE_BINDING,

@@ -1,7 +1,7 @@
 //! Sky and land where no sea has been drawn over them: only these pixels of the scene are copied.
 
 use crate::gpu::full_screen::FullScreen;
-use crate::gpu::pipeline::{Bind, DepthTest};
+use crate::gpu::pipeline::{Bind, Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader.
@@ -9,8 +9,9 @@ pub fn source() -> String {
     shader::composed(include_str!("../../shaders/backdrop.wgsl"), "")
 }
 
-/// The pass into formats of colour and depth, the sea's.
-pub fn pass(gpu: &Gpu, [colour, depth]: [wgpu::TextureFormat; 2]) -> FullScreen {
+/// The pass into formats of colour and depth with so many samples a pixel, the sea's.
+pub fn pass(gpu: &Gpu, [colour, format]: [wgpu::TextureFormat; 2], samples: u32) -> FullScreen {
     let scene = Bind::Texels(wgpu::TextureViewDimension::D2);
-    FullScreen::new(gpu, "backdrop", &source(), &[scene], colour, Some((depth, DepthTest::Undrawn)))
+    let depth = Depth { format, test: DepthTest::Undrawn, samples };
+    FullScreen::new(gpu, "backdrop", &source(), &[scene], colour, Some(depth))
 }

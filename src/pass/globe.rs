@@ -1,7 +1,7 @@
 //! The earth from space: ground and sea in one disc, where nothing on the ellipsoid has a shape that shows.
 
 use super::kind::{ByKind, Kind};
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
 
 /// Triangles of the disc; equals `RIM` in `shaders/globe.wgsl`.
@@ -25,7 +25,7 @@ impl Globe {
         surface: &wgpu::BindGroupLayout,
         [colour, depth]: [wgpu::TextureFormat; 2],
     ) -> Self {
-        let depth = Some((depth, DepthTest::Nearest));
+        let depth = Some(Depth::single(depth, DepthTest::Nearest));
         let pipeline = |kind| gpu.drawing("globe", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
         let above_water = Kind::all().filter(|kind| !kind.under_water);
         Self { pipelines: ByKind::new(above_water, pipeline) }

@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 use super::kind::{ByKind, Kind};
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
@@ -64,7 +64,7 @@ impl Land {
             layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
-        let depth = Some((depth, DepthTest::Nearest));
+        let depth = Some(Depth::single(depth, DepthTest::Nearest));
         let pipeline =
             |kind| gpu.drawing("land", (&source(kind), "vertex"), &[frame, surface], &buffers, colour, depth);
         let (vertices, indices) = mesh();

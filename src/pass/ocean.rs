@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::kind::Kind;
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::{Bind, DepthTest, Drawing};
+use crate::gpu::pipeline::{Bind, Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::FrameUniform;
@@ -51,7 +51,7 @@ pub fn source(Look { kind, waves, noise, foam }: Look) -> String {
 pub struct Ocean {
     layouts: [wgpu::BindGroupLayout; 4],
     formats: [wgpu::TextureFormat; 2],
-    pipelines: HashMap<(Mesh, Look), Drawing>,
+    pipelines: HashMap<(Mesh, Look, u32), Drawing>,
     scene: Option<wgpu::BindGroup>,
     cells: [u32; 2],
     vertices: wgpu::Buffer,
@@ -126,10 +126,10 @@ impl Ocean {
         }
     }
 
-    /// Compiles what a mesh is drawn with, once: it takes a while, and most pictures need only one of them.
-    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look) {
+    /// Compiles what a mesh is drawn with, so many samples of each pixel, once: it takes a while, and most pictures need only one of them.
+    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look, samples: u32) {
         let Self { layouts, formats: [colour, depth], pipelines, .. } = self;
-        pipelines.entry((mesh, look)).or_insert_with(|| {
+        pipelines.entry((mesh, look, samples)).or_insert_with(|| {
             let attributes = wgpu::vertex_attr_array![0 => Float32x2];
             let grid = wgpu::VertexBufferLayout {
                 array_stride: 8,
@@ -147,7 +147,7 @@ impl Ocean {
                 &groups,
                 &buffers,
                 *colour,
-                Some((*depth, DepthTest::Nearest)),
+                Some(Depth { format: *depth, test: DepthTest::Nearest, samples }),
             )
         });
     }
@@ -179,13 +179,13 @@ impl Ocean {
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
-        (frame, look): (&Frame, Look),
+        (frame, look, samples): (&Frame, Look, u32),
         frame_group: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
     ) {
         let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
-        let Some(pipeline) = self.pipelines.get(&(mesh, look)) else { return };
+        let Some(pipeline) = self.pipelines.get(&(mesh, look, samples)) else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, surface, &[]);

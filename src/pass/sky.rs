@@ -1,7 +1,7 @@
 //! The sky behind everything, drawn where nothing else has been.
 
 use super::kind::{ByKind, Kind};
-use crate::gpu::pipeline::DepthTest;
+use crate::gpu::pipeline::{Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
 
 /// The composed shader of a kind of picture.
@@ -22,7 +22,7 @@ impl Sky {
         surface: &wgpu::BindGroupLayout,
         [colour, depth]: [wgpu::TextureFormat; 2],
     ) -> Self {
-        let depth = Some((depth, DepthTest::Undrawn));
+        let depth = Some(Depth::single(depth, DepthTest::Undrawn));
         let pipeline = |kind| gpu.drawing("sky", (&source(kind), "vertex"), &[frame, surface], &[], colour, depth);
         Self { pipelines: ByKind::new(Kind::all(), pipeline) }
     }

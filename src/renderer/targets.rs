@@ -1,7 +1,7 @@
 //! What the renderer draws into: formats, and the textures whose size is the picture's.
 
 use crate::gpu::Gpu;
-use crate::gpu::drawing::begin;
+use crate::gpu::drawing::{Colour, begin};
 use crate::gpu::full_screen::FullScreen;
 use crate::gpu::texture::{self, Shape};
 use crate::pass::bloom::{Bloom, Glow};
@@ -10,6 +10,9 @@ use crate::pass::{backdrop, tonemap};
 /// Format of the target that [`Renderer::render`](super::Renderer::render) draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Samples of a pixel where edges are smooth.
+pub(super) const SAMPLES: u32 = 4;
 
 /// What the scene's radiance is stored in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +34,8 @@ impl Radiance {
 
 /// The passes over whole pictures.
 pub(super) struct Passes {
-    backdrop: FullScreen,
+    /// With one sample of a pixel, and with [`SAMPLES`].
+    backdrops: [FullScreen; 2],
     bloom: Bloom,
     /// The tone without a glow.
     plain: FullScreen,
@@ -43,7 +47,7 @@ impl Passes {
     /// Those of scenes whose radiance is stored as `radiance`.
     pub(super) fn new(gpu: &Gpu, radiance: wgpu::TextureFormat) -> Self {
         Self {
-            backdrop: backdrop::pass(gpu, [radiance, DEPTH_FORMAT]),
+            backdrops: [1, SAMPLES].map(|samples| backdrop::pass(gpu, [radiance, DEPTH_FORMAT], samples)),
             bloom: Bloom::new(gpu),
             plain: tonemap::pass(gpu, TARGET_FORMAT, false),
             glowing: tonemap::pass(gpu, TARGET_FORMAT, true),
@@ -52,7 +56,7 @@ impl Passes {
 
     /// The scene where the sea has left it.
     pub(super) fn draw_backdrop(&self, pass: &mut wgpu::RenderPass, targets: &Targets) {
-        self.backdrop.draw(pass, &targets.backdrop);
+        self.backdrops[usize::from(targets.samples.is_some())].draw(pass, &targets.backdrop);
     }
 
     /// From radiance to the display, with a glow if that is asked for.
@@ -80,6 +84,8 @@ pub(super) struct Targets {
     /// `None` for measurements.
     pub(super) glow: Option<(Glow, wgpu::BindGroup)>,
     pub(super) size: [u32; 2],
+    /// Colour with [`SAMPLES`] of a pixel, where edges are smooth; the depth has as many then.
+    samples: Option<wgpu::TextureView>,
     /// Sky and land, as the sea sees them.
     pub(super) scene: wgpu::TextureView,
     pub(super) scene_depth: wgpu::TextureView,
@@ -89,10 +95,12 @@ pub(super) struct Targets {
 }
 
 impl Targets {
-    pub(super) fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat, passes: &Passes) -> Self {
+    pub(super) fn new(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat, samples: u32, passes: &Passes) -> Self {
         use wgpu::TextureUsages as T;
         let picture = Shape::picture(size[0], size[1]);
-        let depth = |label| texture::view(&gpu.texture(label, picture, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
+        let smooth = samples > 1;
+        let drawn = Shape { samples, ..picture };
+        let depth = |label, shape| texture::view(&gpu.texture(label, shape, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
         let scene = texture::view(&gpu.texture("scene", picture, format, T::RENDER_ATTACHMENT));
         let radiance = gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC);
         let view = texture::view(&radiance);
@@ -102,14 +110,25 @@ impl Targets {
             (glow, group)
         });
         Self {
-            backdrop: passes.backdrop.read(gpu, &[wgpu::BindingResource::TextureView(&scene)]),
+            backdrop: passes.backdrops[usize::from(smooth)].read(gpu, &[wgpu::BindingResource::TextureView(&scene)]),
             plain: passes.plain.read(gpu, &[wgpu::BindingResource::TextureView(&view)]),
             glow,
             size,
             scene,
-            scene_depth: depth("scene depth"),
+            scene_depth: depth("scene depth", picture),
             radiance,
-            depth: depth("depth"),
+            depth: depth("depth", drawn),
+            samples: smooth.then(|| texture::view(&gpu.texture("samples", drawn, format, T::RENDER_ATTACHMENT))),
         }
+    }
+
+    /// What the sea is drawn into: `radiance` is the view of [`Targets::radiance`].
+    pub(super) fn sea<'a>(&'a self, radiance: &'a wgpu::TextureView) -> Colour<'a> {
+        self.samples.as_ref().map_or(Colour::from(radiance), |view| Colour { view, mean: Some(radiance) })
+    }
+
+    /// Samples of a pixel of the sea.
+    pub(super) fn samples(&self) -> u32 {
+        if self.samples.is_some() { SAMPLES } else { 1 }
     }
 }

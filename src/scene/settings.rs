@@ -90,14 +90,14 @@ impl Default for Triangles {
 /// How much the picture may cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
-    /// Chosen by the program.
+    /// Chosen by the program: [`Quality::High`] on a graphics card, [`Quality::Medium`] where the processor draws.
     #[default]
     Auto,
-    /// For weak devices.
+    /// For weak devices: nothing glows.
     Low,
     /// For phones and laptops.
     Medium,
-    /// For a graphics card.
+    /// For a graphics card: the edges of waves are smooth.
     High,
     /// For pictures.
     Ultra,

@@ -2,6 +2,7 @@
 
 mod any_view;
 mod bench;
+mod edges;
 mod flight;
 mod hidden_window;
 mod horizon;

@@ -42,8 +42,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
-    /// Whether the brightest parts of the picture glow.
-    pub glows: bool,
+    /// How much the picture may cost.
+    pub quality: Quality,
     /// Where the bisected mesh shall be refined, when it is drawn.
     pub bisection: Option<Bisection>,
     /// The block for the GPU.
@@ -60,6 +60,9 @@ pub const MIX_FAR_M: f64 = 16_000.0;
 pub const LACE_BLURRED_M: f32 = 25.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
+
+/// Pixels of the largest picture whose pixels have several samples, 48 bytes each. Larger ones have pixels enough.
+const MOST_SMOOTH: u64 = 2560 * 1600;
 
 /// Cells along a side of the projected grid, at most: with two triangles each two million of them.
 const MOST_CELLS: u32 = 1024;
@@ -112,11 +115,27 @@ impl Frame {
             foam_eye,
             whitecaps,
             foam_lifetime_s,
-            glows: settings.quality != Quality::Low,
+            quality: settings.quality,
             bisection,
             uniform,
             wave_cells,
         }
+    }
+
+    /// Whether the brightest parts of the picture glow.
+    pub fn glows(&self) -> bool {
+        self.quality != Quality::Low
+    }
+
+    /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
+    /// picture does without, as triangles are few pixels wide.
+    pub fn has_smooth_edges(&self, software: bool) -> bool {
+        let wanted = match self.quality {
+            Quality::Auto => !software,
+            Quality::Low | Quality::Medium => false,
+            Quality::High | Quality::Ultra | Quality::Extreme => true,
+        };
+        wanted && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
     }
 
     /// The same frame, reporting a measured layer instead of the picture.
