@@ -4,7 +4,7 @@
 #import projected_grid
 #import bisected_mesh
 #import world
-#import foam
+#import lace
 #import limb
 #import waves
 #import gusts
@@ -143,12 +143,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
-    let foam_footprint = across / pow(grazing, 0.9);
-    var foam = 0.0;
+    let foam_footprint = across / pow(grazing, 0.65);
+    var foam = flat_foam(0.0, 0.0);
     if FOAM {
-        foam = calmed * foam_lace(foam_share(foam_at, in.height, foam_footprint), foam_at, foam_footprint);
+        foam = foam_of(calmed * foam_share(foam_at, in.height, foam_footprint), calmed, lace_at(foam_at, footprint));
     } else {
-        foam = calmed * share_from_afar(in.height, foam_footprint);
+        foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,

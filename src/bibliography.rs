@@ -77,6 +77,12 @@ pub enum Schlick1994 {}
 /// <https://doi.org/10.1017/CBO9781139644181>
 pub enum BornWolf1999 {}
 
+/// Worley, S. (1996), *A cellular texture basis function*, SIGGRAPH 96, 291–294. <https://doi.org/10.1145/237170.237267>
+pub enum Worley1996 {}
+
+/// Abramowitz, M. and Stegun, I. A. (1964), *Handbook of mathematical functions*, NBS Applied Mathematics Series 55. No DOI.
+pub enum AbramowitzStegun1964 {}
+
 /// Steele, G. L., Lea, D. and Flood, C. H. (2014), *Fast splittable pseudorandom number generators*, OOPSLA '14: SplitMix,
 /// whose finaliser hashes our counters. <https://doi.org/10.1145/2660193.2660195>
 pub enum Steele2014 {}

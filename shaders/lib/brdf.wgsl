@@ -1,4 +1,5 @@
 // Reflection at the rough sea: Fresnel, the sun's glitter, and what facets mirror that a pixel cannot resolve.
+#import normal
 
 const WATER_INDEX = 1.333;
 
@@ -29,14 +30,6 @@ fn variance_towards(direction: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> 
     let flat = direction - dot(direction, up) * up;
     let ahead = dot(flat, along);
     return mix(rough.y, rough.x, ahead * ahead / max(dot(flat, flat), 1e-9));
-}
-
-// Distribution function of the normal distribution (M. Abramowitz and I. Stegun 1964, 7.1.26: within 1e-7).
-fn normal_share(x: f32) -> f32 {
-    let z = abs(x) * sqrt(0.5);
-    let t = 1.0 / (1.0 + 0.3275911 * z);
-    let tail = 0.5 * t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * exp(-z * z);
-    return select(tail, 1.0 - tail, x >= 0.0);
 }
 
 // Area that facets show to a direction, of level ground's: `cosine` is what their mean plane shows, `spread` the deviation of that.

@@ -1,13 +1,10 @@
-// The foam map where it is drawn: share of the water covered by whitecaps, and their lace.
+// The foam map where it is drawn: share of the water covered by whitecaps.
 #import domain
-#import hash
 
 @group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per level; see src/scene/sea/foam.rs
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
-const LACE_RAMP: f32 = 0.4;
-const LACE_BLURRED: f32 = 25.0;  // no lace shows in pixels so wide, metres
 
 // Rest coordinates about the eye in the foam map's plane, metres.
 fn foam_coordinates(p: vec3f) -> vec2f {
@@ -70,61 +67,4 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
         if level == FOAM_LEVELS || open <= 0.0 { break; }
     }
     return mix(beyond, share + open * beyond, shown);
-}
-
-fn lattice_value(cell: vec2i, salt: u32) -> f32 {
-    return f32(hash(vec3u(bitcast<vec2u>(cell), salt)) >> 8u) / 16777216.0;
-}
-
-// Value noise, 0…1, fixed to the water, in cells of 2^octave texels of the lace; `texels` from the corner of the eye's.
-fn foam_noise(texels: vec2f, octave: i32) -> f32 {
-    let origin = frame.lace_texel;
-    var corner = origin * (1 << u32(max(-octave, 0)));
-    var v = texels * exp2(f32(-octave));
-    if octave > 0 {
-        let shift = vec2u(u32(octave));
-        corner = origin >> shift;
-        v += vec2f(origin - (corner << shift)) * exp2(f32(-octave));
-    }
-    let cell = corner + vec2i(floor(v));
-    let f = v - floor(v);
-    let u = f * f * (3.0 - 2.0 * f);
-    let salt = u32(octave + 8);
-    return mix(
-        mix(lattice_value(cell, salt), lattice_value(cell + vec2i(1, 0), salt), u.x),
-        mix(lattice_value(cell + vec2i(0, 1), salt), lattice_value(cell + vec2i(1, 1), salt), u.x), u.y);
-}
-
-// What covers a point of the lace: a ramp of LACE_RAMP over the noise, which is uniform, laid so that its mean is the share. Where
-// less than half of a ramp is wanted its foot alone rises out of the water: thin foam, not specks of thick foam.
-fn covered(share: f32, level: f32) -> f32 {
-    let little = min(share, 1.0 - share);
-    let reach = select(little + 0.5 * LACE_RAMP, sqrt(2.0 * LACE_RAMP * little), little < 0.5 * LACE_RAMP);
-    // Above a half the water's share is the one that tears.
-    return select(clamp((level - 1.0 + reach) / LACE_RAMP, 0.0, 1.0), 1.0 - clamp((reach - level) / LACE_RAMP, 0.0, 1.0), share > 0.5);
-}
-
-// Foam tears into lace and flecks: a share covers the points where a noise lies above it, so that the mean stays the share. The
-// noise's cells are a few pixels wide, or as wide as whitecaps are.
-fn foam_lace(share: f32, at: vec2f, footprint: Metres) -> f32 {
-    let blurred = smoothstep(5.0, LACE_BLURRED, footprint);
-    if share < 0.003 || blurred >= 1.0 { return share; }
-    let side = frame.foam_levels[0].side;
-    // Flecks are longer across the wind, as crests are.
-    let wind = wave_cells[0].wind;
-    let along = vec2f(-wind.x * at.x - wind.y * at.y, 0.5 * (wind.y * at.x - wind.x * at.y));
-    let texels = frame.lace_fraction + along / side;
-    let scale = clamp(log2(5.0 * footprint / side), -3.0, 6.0);
-    let octave = i32(floor(scale));
-    let fine = foam_noise(texels, octave - 1);
-    let middle = foam_noise(texels, octave);
-    let coarse = foam_noise(texels, octave + 1);
-    // Octaves vary alike and independently: brought to the deviation of one of them, their sum has the same distribution anywhere
-    // between two octaves, and the same share of the water lies above a level.
-    let part = scale - f32(octave);
-    let weights = mix(vec3f(0.45, 0.55, 0.0), vec3f(0.0, 0.45, 0.55), part);
-    let noise = (dot(weights, vec3f(fine, middle, coarse)) - 0.5) / length(weights);
-    // Its distribution function, fitted to its quantiles: a normal one's with thinner tails.
-    let level = 0.5 + 0.5 * tanh(noise * (3.4 + 6.3 * noise * noise));
-    return mix(covered(share, level), share, blurred);
 }

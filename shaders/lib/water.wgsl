@@ -1,6 +1,7 @@
 // Radiance of a water surface towards the eye: reflected sky and sun, the water body's own light, the bed seen through it.
 #import light
 #import brdf
+#import foam_light
 
 // Reflectance of deep water, as seen from above straight down: pi times the remote-sensing reflectance of the open ocean with 0.1 mg of
 // chlorophyll per cubic metre (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as
@@ -8,7 +9,6 @@
 const DEEP_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
 // How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
 const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
-const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
@@ -30,7 +30,7 @@ struct WaterPoint {
     alpha: f32,
     depth: Metres,
     bed: vec3f,            // radiance of what lies under the water
-    foam: f32,             // share covered
+    foam: Foam,
 }
 
 // `light`: the daylight at the point.
@@ -48,12 +48,10 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
     let sparkle = sun * glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
     let down = sun * max(mu_sun, 0.0) + ambient;
-    let body = DEEP_REFLECTANCE / (PI * (1.0 - fresnel_water(1.0))) * down;
+    let body = (DEEP_REFLECTANCE + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-BED_ABSORPTION * w.depth);
     let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
-    // Foam lies on the slopes: those towards the sun are brighter.
-    let foam = FOAM_ALBEDO / PI * (sun * max(dot(w.normal, frame.sun), 0.0) + ambient);
-    return mix(reflected + sparkle + through, foam, clamp(w.foam, 0.0, 1.0));
+    return mix(reflected + sparkle + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
 }
 
 // Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.

@@ -14,6 +14,7 @@ pub mod earth;
 pub mod fft;
 pub mod foam;
 pub mod geodesic;
+pub mod lace;
 pub mod lift;
 pub mod moved_water;
 pub mod noise;

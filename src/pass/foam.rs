@@ -4,6 +4,7 @@
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
+use crate::model::lace;
 use crate::scene::sea::foam::TEXELS;
 use crate::scene::sea::foam_history::FoamStep;
 
@@ -32,6 +33,9 @@ pub struct Foam {
     /// The maps' textures.
     pub textures: [wgpu::Texture; 2],
     current: usize,
+    /// The tile of the lace, for bind group 1, and whether it is there.
+    pub lace: wgpu::Texture,
+    has_lace: bool,
 }
 
 impl Foam {
@@ -49,7 +53,14 @@ impl Foam {
         let groups = [1, 0].map(|to: usize| {
             gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
         });
-        Self { pipelines, step, is_due: false, groups, maps, textures, current: 0 }
+        Self { pipelines, step, is_due: false, groups, maps, textures, current: 0, lace: empty_lace(gpu), has_lace: false }
+    }
+
+    /// Makes the tile of the lace, once: it takes a tenth of a second, which pictures from space do not need.
+    pub fn make_lace(&mut self, gpu: &Gpu) {
+        if !std::mem::replace(&mut self.has_lace, true) {
+            fill_lace(gpu, &self.lace);
+        }
     }
 
     /// Which of [`Foam::maps`] is the present one.
@@ -71,5 +82,29 @@ impl Foam {
         pass.set_bind_group(2, &self.groups[self.current], &[]);
         pass.dispatch_workgroups(TEXELS as u32 / SIDE, TEXELS as u32 / SIDE, 1);
         self.current = 1 - self.current;
+    }
+}
+
+/// A texture for the tile of `model/lace.rs` with its mip levels.
+pub fn empty_lace(gpu: &Gpu) -> wgpu::Texture {
+    let shape = Shape::array(lace::TEXELS as u32, 1, lace::MIPS as u32);
+    gpu.texture("lace", shape, wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureUsages::COPY_DST)
+}
+
+/// Fills it.
+pub fn fill_lace(gpu: &Gpu, texture: &wgpu::Texture) {
+    for (mip, texels) in lace::texels().iter().enumerate() {
+        let side = (lace::TEXELS >> mip) as u32;
+        gpu.queue.write_texture(
+            wgpu::TexelCopyTextureInfo {
+                texture,
+                mip_level: mip as u32,
+                origin: wgpu::Origin3d::ZERO,
+                aspect: wgpu::TextureAspect::All,
+            },
+            bytemuck::cast_slice(texels),
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: None },
+            wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+        );
     }
 }

@@ -54,7 +54,7 @@ impl Surface {
     pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, light: Light) -> Self {
         use wgpu::TextureViewDimension::{D2, D2Array, D3};
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2].map(Bind::Texture);
+        let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2, D2].map(Bind::Texture);
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
         let layout = gpu.layout("surface", stages, &binds);
@@ -149,6 +149,9 @@ impl Surface {
 
     /// Sets the frame's instant, for waves, far sea and the foam's last step.
     pub(super) fn prepare(&mut self, gpu: &Gpu, frame: &Frame) {
+        if frame.has_light() && frame.has_foam() {
+            self.foam.make_lace(gpu);
+        }
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
         let lifetime_s = frame.foam_lifetime_s.filter(|_| frame.has_light() && !self.replaying);
         let due = lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s).is_some());
@@ -219,9 +222,14 @@ fn groups(
 ) -> [wgpu::BindGroup; 2] {
     foam.maps.each_ref().map(|map| {
         let waves = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
-        let noise = texture::view(&perlin.texture);
-        let views: Vec<_> =
-            waves.iter().chain([&noise, map]).chain(light).map(wgpu::BindingResource::TextureView).collect();
+        let [noise, lace] = [&perlin.texture, &foam.lace].map(texture::view);
+        let views: Vec<_> = waves
+            .iter()
+            .chain([&noise, map])
+            .chain(light)
+            .chain([&lace])
+            .map(wgpu::BindingResource::TextureView)
+            .collect();
         gpu.bind("surface", layout, &views)
     })
 }

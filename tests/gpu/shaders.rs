@@ -7,7 +7,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use ocean_globe::app::{blit, pane};
 use ocean_globe::data::streaming;
 use ocean_globe::gpu::{mips, shader};
-use ocean_globe::model::{optics, wave_domain};
+use ocean_globe::model::{lace, optics, wave_domain};
 use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
@@ -15,7 +15,6 @@ use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, bloom, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
 };
-use ocean_globe::scene::frame::LACE_BLURRED_M;
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
@@ -226,7 +225,9 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "ROW"), wave_domain::ROW);
     assert_eq!(constant(&ocean, "LEAST_SHARE"), f64::from(wave_domain::LEAST_SHARE as f32));
     assert_eq!(constant(&ocean, "POLAR_REACH"), f64::from(wave_domain::POLAR_REACH as f32));
-    assert_eq!(constant(&ocean, "LACE_BLURRED") as f32, LACE_BLURRED_M);
+    assert_eq!(constant(&ocean, "LACE_TEXELS") as f32, lace::TEXELS as f32);
+    assert_eq!(constant(&ocean, "LACE_GREATEST_LEVEL") as f32, lace::GREATEST_LEVEL);
+    assert_eq!(constant(&ocean, "LACE_GREATEST_SLOPE") as f32, lace::GREATEST_SLOPE);
     assert_eq!(constants(&ocean, "LOW_RIM"), ocean::LOW_RIM.map(f64::from));
     assert_eq!(constant(&ocean, "EDGE") as f32, ocean::EDGE);
     assert_eq!(constant(&ocean, "EDGE_ABOVE") as f32, ocean::EDGE_ABOVE);

@@ -56,8 +56,9 @@ pub struct Frame {
 pub const MIX_NEAR_M: f64 = 2_000.0;
 /// Farther than this the Perlin field alone does.
 pub const MIX_FAR_M: f64 = 16_000.0;
-/// Pixels so wide show no lace, metres; equals `LACE_BLURRED` in `shaders/lib/foam.wgsl`.
-pub const LACE_BLURRED_M: f32 = 25.0;
+/// Pixels so wide show no lace, metres: 128 texels of its widest rows (`lace_at` of `shaders/lib/lace.wgsl`), of whose variance the tile then
+/// keeps a thirtieth.
+const LACE_BLURRED_M: f32 = 64.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -165,7 +166,7 @@ impl Frame {
         self.uniform.mix_near < NEVER_M && self.resolves_waves()
     }
 
-    /// Whether more is seen of foam than the share that the wind asks for: its map, or its lace (`foam_lace` of `shaders/lib/foam.wgsl`).
+    /// Whether more is seen of foam than the share that the wind asks for: its map, or its lace.
     pub fn has_foam(&self) -> bool {
         self.nearest_sea_m() < foam::HIGHEST_M as f32
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M

@@ -83,12 +83,12 @@ pub struct FoamEye {
 }
 
 impl FoamEye {
-    /// Texel of the eye in the lace, half as many across the wind as along it, and how far into it the eye is.
+    /// Texel of the eye in the lace, along the wind and across it, and how far into it the eye is.
     pub fn lace(&self, wind_from: f64) -> ([i32; 2], [f32; 2]) {
         let (sin, cos) = libm::sincos(wind_from);
         let along = DVec2::new(-sin, -cos).dot(self.at);
         let across = DVec2::new(cos, -sin).dot(self.at);
-        in_texels(DVec2::new(along, 0.5 * across) / TEXELS_M[0])
+        in_texels(DVec2::new(along, across) / TEXELS_M[0])
     }
 
     /// Whether the map about both eyes holds the same texels.

@@ -1,0 +1,28 @@
+// How foam looks from above: what it hides of the water and the light that it sends back.
+#import atmosphere
+
+const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
+// Reflectance that the bubbles below dense foam add to the water's: those that scatter back 0.015 of the light per metre, half as much as
+// in a fresh plume, over water that takes away red first.
+const PLUME_REFLECTANCE = vec3f(0.003, 0.05, 0.09);
+const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its shaded side; share of the sun's that does
+
+struct Foam {
+    white: f32,            // opacity, 0…1: the reflectance over that of dense foam
+    plume: f32,            // share of the water below that is full of bubbles
+    slope: vec2f,          // of the foam's own surface on the water's, x east, y north
+}
+
+// Foam of no shape.
+fn flat_foam(white: f32, plume: f32) -> Foam {
+    return Foam(white, plume, vec2f(0.0));
+}
+
+// Radiance of dense foam on water with a `normal`; `sun` and `ambient` are irradiances, of a plane that faces the sun and of a level one.
+fn foam_radiance(foam: Foam, normal: vec3f, to_sun: vec3f, sun: vec3f, ambient: vec3f) -> vec3f {
+    let own = normalize(normal - vec3f(foam.slope, 0.0));
+    let wrapped = max((dot(own, to_sun) + FOAM_WRAP) / (1.0 + FOAM_WRAP), 0.0);
+    // A hollow sees less of the sky.
+    let open = 1.0 - 0.3 * min(dot(foam.slope, foam.slope), 1.0);
+    return FOAM_ALBEDO / PI * (sun * wrapped + ambient * open);
+}
