@@ -76,7 +76,13 @@ impl Bloom {
     }
 
     /// What a pass reads that shows a picture with its glow.
-    pub fn read_with(&self, gpu: &Gpu, shown: &FullScreen, radiance: &wgpu::TextureView, glow: &Glow) -> wgpu::BindGroup {
+    pub fn read_with(
+        &self,
+        gpu: &Gpu,
+        shown: &FullScreen,
+        radiance: &wgpu::TextureView,
+        glow: &Glow,
+    ) -> wgpu::BindGroup {
         let [radiance, glow] = [radiance, &glow.view].map(wgpu::BindingResource::TextureView);
         shown.read(gpu, &[radiance, glow, wgpu::BindingResource::Sampler(&self.clamped)])
     }

@@ -53,7 +53,17 @@ impl Foam {
         let groups = [1, 0].map(|to: usize| {
             gpu.bind("foam", &layout, &[step.as_entire_binding(), wgpu::BindingResource::TextureView(&maps[to])])
         });
-        Self { pipelines, step, is_due: false, groups, maps, textures, current: 0, lace: empty_lace(gpu), has_lace: false }
+        Self {
+            pipelines,
+            step,
+            is_due: false,
+            groups,
+            maps,
+            textures,
+            current: 0,
+            lace: empty_lace(gpu),
+            has_lace: false,
+        }
     }
 
     /// Makes the tile of the lace, once: it takes a tenth of a second, which pictures from space do not need.

@@ -13,8 +13,7 @@ fn glow(grey: impl Fn(u32, u32) -> f32) -> Vec<f32> {
     let texels: Vec<u16> =
         (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y))).flat_map(|(x, y)| [half(grey(x, y)); 4]).collect();
     let picture = Shape::picture(SIZE[0], SIZE[1]);
-    let radiance =
-        gpu.texture("radiance", picture, wgpu::TextureFormat::Rgba16Float, wgpu::TextureUsages::COPY_DST);
+    let radiance = gpu.texture("radiance", picture, wgpu::TextureFormat::Rgba16Float, wgpu::TextureUsages::COPY_DST);
     gpu.fill(&radiance, bytemuck::cast_slice(&texels));
     let bloom = Bloom::new(&gpu);
     let glow = bloom.glow(&gpu, SIZE, &texture::view(&radiance));
@@ -45,7 +44,8 @@ fn a_bright_point_glows_ever_less_and_loses_nothing() {
     // Rings around it, from the middle out: each as bright as a half of the last or less.
     let ring = |from: f64, to: f64| {
         let texels = (0..).zip(&found).filter_map(|(n, light): (u32, &f32)| {
-            let away = f64::hypot(f64::from(2 * (n % columns)) - f64::from(x), f64::from(2 * (n / columns)) - f64::from(y));
+            let away =
+                f64::hypot(f64::from(2 * (n % columns)) - f64::from(x), f64::from(2 * (n / columns)) - f64::from(y));
             (from..to).contains(&away).then_some(f64::from(*light))
         });
         let (sum, count) = texels.fold((0.0, 0.0), |(sum, count), light| (sum + light, count + 1.0));

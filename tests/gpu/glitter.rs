@@ -48,7 +48,8 @@ fn hiding(z: f64, sigma: f64) -> f64 {
     let x = z / (sigma * (1.0 - z * z).sqrt());
     // The mean of what rises above x, by midpoints.
     let step = 0.01;
-    let above = (0..1000).map(|n| (f64::from(n) + 0.5) * step).map(|t| t * (-0.5 * (x + t) * (x + t)).exp()).sum::<f64>();
+    let above =
+        (0..1000).map(|n| (f64::from(n) + 0.5) * step).map(|t| t * (-0.5 * (x + t) * (x + t)).exp()).sum::<f64>();
     above * step / ((2.0 * std::f64::consts::PI).sqrt() * x)
 }
 
@@ -108,10 +109,8 @@ fn the_glitter_is_the_same_there_and_back() {
     let ways = [(60.0, 5.0), (40.0, 2.0), (20.0, 50.0), (10.0, 10.0), (3.0, 8.0)];
     let rough = [0.03, 0.012];
     let pairs: Vec<[DVec3; 2]> = ways.map(|(a, b)| [direction(a, 0.3), direction(b, 3.4)]).to_vec();
-    let asked: Vec<_> = pairs
-        .iter()
-        .flat_map(|[a, b]| [Asked::level(*a, *b, rough), Asked::level(*b, *a, rough)])
-        .collect();
+    let asked: Vec<_> =
+        pairs.iter().flat_map(|[a, b]| [Asked::level(*a, *b, rough), Asked::level(*b, *a, rough)]).collect();
     for ([a, b], found) in pairs.iter().zip(ask(&asked).chunks_exact(2)) {
         // Of a sun's light on level water: the radiance over the sine of its elevation.
         let [there, back] = [found[0] / b.z, found[1] / a.z];

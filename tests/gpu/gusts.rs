@@ -46,9 +46,8 @@ fn gusts_leave_the_mean_roughness() {
     const POINTS: i32 = 60_000;
     for (footprint, levels) in [(5.0, 4.0), (30.0, 3.0), (130.0, 2.0), (2_000.0f32, 0.0)] {
         let places = (0..POINTS).map(|n| noise::bits(3, 1, n, 0)[0]);
-        let asked: Vec<_> = places
-            .map(|bits| Asked { at: [bits as u32, (bits >> 32) as u32], sin_lat: 0.2, footprint })
-            .collect();
+        let asked: Vec<_> =
+            places.map(|bits| Asked { at: [bits as u32, (bits >> 32) as u32], sin_lat: 0.2, footprint }).collect();
         let found = gusts(-30.0, &asked);
         let mean = found.iter().sum::<f64>() / found.len() as f64;
         let logs: Vec<f64> = found.iter().map(|factor| factor.ln()).collect();
@@ -68,7 +67,9 @@ fn gusts_lie_where_they_are_whatever_eye_sees_them() {
     // Nine points 30 m apart, 20 km from one eye and 2 km from the other.
     let asked = |lon: f64| {
         let at = (f64::from(1u32 << 31) * (1.0 + lon / 180.0)) as u32;
-        (0..9u32).map(|n| Asked { at: [at + n * 3_200, 2_000_000_000 + n * 700], sin_lat: 0.1, footprint: 5.0 }).collect()
+        (0..9u32)
+            .map(|n| Asked { at: [at + n * 3_200, 2_000_000_000 + n * 700], sin_lat: 0.1, footprint: 5.0 })
+            .collect()
     };
     let asked: Vec<_> = asked(-30.0);
     let [near, far] = [-30.02, -30.2].map(|lon| gusts(lon, &asked));

@@ -18,7 +18,11 @@ fn a_breeze_mirrors_as_much_as_exact_facets_do() {
     for (depression, reflectances, elevation) in exact {
         for (variance, wanted) in [slopes.up, slopes.cross].into_iter().zip(reflectances) {
             let found = mean_reflection(f64::sin(f64::to_radians(depression)), variance.sqrt());
-            println!("{depression} degrees: {:.4} of {wanted}, {:.1}", found.reflectance, found.sine.asin().to_degrees());
+            println!(
+                "{depression} degrees: {:.4} of {wanted}, {:.1}",
+                found.reflectance,
+                found.sine.asin().to_degrees()
+            );
             // Half of the last figure that is given, and the slopes across the view, which here are those along it: 1 % at most.
             assert!((found.reflectance - wanted).abs() < 0.0005 + 0.03 * wanted, "{depression}: {found:?}");
             // Here it is the direction of the mean vector. The mean of sines is smaller by half of the spread's square: 3 degrees of 45 at 17.
@@ -95,8 +99,7 @@ fn the_table_is_read_between_its_texels() {
         let root = -0.5 + 1.5 * x / (columns - 1) as f64;
         let sigma = 0.6 * (y / (rows - 1) as f64).powi(2);
         let exact = mean_reflection(root * root.abs(), sigma);
-        let off =
-            [mix(|m| m.reflectance) - exact.reflectance, mix(|m| m.sine) - exact.sine].map(f64::abs);
+        let off = [mix(|m| m.reflectance) - exact.reflectance, mix(|m| m.sine) - exact.sine].map(f64::abs);
         worst = [0, 1].map(|part| worst[part].max(off[part]));
     }
     println!("worst between texels: {worst:.4?}");
