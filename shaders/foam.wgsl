@@ -3,7 +3,7 @@
 #import wave_patches
 
 struct FoamStep {
-    previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; zw unused
+    previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; z: 1 where the level was not kept up; w unused
     grow: vec4f,               // exp(-dt / growth time), by level
     keep: vec4f,               // exp(-dt / lifetime)
     empty: u32,                // 1: there is no history
@@ -53,6 +53,12 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
     return 0.5 * (sum.x + sum.y) - length(vec2f(0.5 * (sum.x - sum.y), sum.z));
 }
 
+// Whether the last step has left a texel of the world in a level.
+fn is_known(world: vec2i, level: u32) -> bool {
+    let was = world - now.previous[level].xy;
+    return now.previous[level].z == 0 && all(was >= vec2i(-FOAM_TEXELS / 2)) && all(was < vec2i(FOAM_TEXELS / 2));
+}
+
 // What the map knows of the texel of the world in a slot of a level.
 fn known(slot: vec2i, before: vec4f, level: u32) -> f32 {
     let here = frame.foam_levels[level];
@@ -60,11 +66,16 @@ fn known(slot: vec2i, before: vec4f, level: u32) -> f32 {
     if here.threshold < -1e8 { return frame.whitecaps; }
     if now.empty == 1u { return 0.0; }
     let world = world_texel(slot, here.texel);
-    let was = world - now.previous[level].xy;
-    if all(was >= vec2i(-FOAM_TEXELS / 2)) && all(was < vec2i(FOAM_TEXELS / 2)) { return before[level]; }
-    // New in this level: the next coarser one, whose texels are three times as wide, knows the place.
-    let coarser = vec2i(floor((vec2f(world) + 0.5) / 3.0)) & vec2i(FOAM_TEXELS - 1);
-    return select(0.0, textureLoad(foam_map, coarser, 0)[min(level + 1u, FOAM_LEVELS - 1u)], level + 1u < FOAM_LEVELS);
+    if is_known(world, level) { return before[level]; }
+    // New in this level: a coarser one knows the place.
+    for (var coarser = level + 1u; coarser < FOAM_LEVELS; coarser++) {
+        let at = (vec2f(world - here.texel) + 0.5 - here.fraction) * here.side / frame.foam_levels[coarser].side;
+        let texels = frame.foam_levels[coarser].fraction + at;
+        if is_known(frame.foam_levels[coarser].texel + vec2i(floor(texels)), coarser) {
+            return foam_between(frame.foam_levels[coarser].texel, texels, coarser);
+        }
+    }
+    return 0.0;
 }
 
 fn all_known(slot: vec2i) -> vec4f {

@@ -158,7 +158,7 @@ impl Renderer {
     /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
     /// rest: a still picture needs both. Waits for the device where the mesh is bisected.
     pub fn settle(&mut self, frame: &Frame) {
-        self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
+        self.surface.take(&self.gpu, frame, &mut self.seas);
         self.upload(frame);
         self.surface.replay(&self.gpu, frame, &self.frame_group.group, usize::MAX);
         self.settle_mesh(frame);
@@ -189,7 +189,7 @@ impl Renderer {
     pub fn render(&mut self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: &wgpu::TextureView) {
         self.load(frame);
         self.fit(frame);
-        self.surface.take(&self.gpu, frame, &mut self.seas, self.moving);
+        self.surface.take(&self.gpu, frame, &mut self.seas);
         let kind = self.upload(frame);
         let frame_group = &self.frame_group.group;
         let still = usize::from(!self.moving);
@@ -320,6 +320,7 @@ impl Renderer {
     /// Tells whether the next frames follow each other: a moving picture must not wait for its foam.
     pub fn set_moving(&mut self, moving: bool) {
         self.moving = moving;
+        self.surface.set_moving(moving);
     }
 
     /// Sets what a picture shows where nothing is drawn, as scene radiance: between land, sea and sky a deep sea's blue unless set, black

@@ -29,6 +29,7 @@ pub(super) struct Surface {
     perlin: Perlin,
     foam: Foam,
     history: History,
+    moving: bool,
     /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance; what a rough
     /// sea mirrors.
     light: Light,
@@ -67,6 +68,7 @@ impl Surface {
             perlin,
             foam,
             history: History::default(),
+            moving: false,
             light,
             layout,
             groups,
@@ -85,20 +87,24 @@ impl Surface {
         &self.groups[self.foam.current()]
     }
 
+    /// `moving`: the picture has a history of its own, which better thresholds for the same foam go on with, and so do finer levels of the map.
+    pub(super) fn set_moving(&mut self, moving: bool) {
+        self.moving = moving;
+    }
+
     /// Forgets the waves and the foam's history.
     pub(super) fn forget(&mut self) {
         self.made = [None; 2];
         self.history.reset();
     }
 
-    /// Takes the waves of a sea that is not the last one from `seas`. `moving`: the picture has a history of its own, which better
-    /// thresholds for the same foam go on with.
-    pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame, seas: &mut Seas, moving: bool) {
+    /// Takes the waves of a sea that is not the last one from `seas`.
+    pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame, seas: &mut Seas) {
         let sea = &frame.sea;
         let is_same = self.sea.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, sea) || kept == sea);
         if self.whitecaps != Some(frame.whitecaps) {
             let is_refined = is_same && self.whitecaps.is_some_and(|kept| kept.share == frame.whitecaps.share);
-            if !(moving && is_refined) {
+            if !(self.moving && is_refined) {
                 self.history.reset();
             }
             self.whitecaps = Some(frame.whitecaps);
@@ -126,7 +132,8 @@ impl Surface {
         }
         let Some(lifetime_s) = frame.foam_lifetime_s else { return self.history.reset() };
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
-        while let Some(instant) = self.history.next_instant(ticks, eye, lifetime_s).filter(|instant| *instant != ticks)
+        while let Some(instant) =
+            self.history.next_instant(ticks, eye, lifetime_s, self.moving).filter(|instant| *instant != ticks)
         {
             if budget == 0 {
                 self.replaying = true;
@@ -154,7 +161,8 @@ impl Surface {
         }
         let (ticks, eye) = (frame.ticks(), &frame.foam_eye);
         let lifetime_s = frame.foam_lifetime_s.filter(|_| frame.has_light() && !self.replaying);
-        let due = lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s).is_some());
+        let due =
+            lifetime_s.filter(|&lifetime_s| self.history.next_instant(ticks, eye, lifetime_s, self.moving).is_some());
         if let Some(lifetime_s) = due {
             self.foam.prepare(gpu, &step(&mut self.history, frame, ticks, lifetime_s));
         }

@@ -155,3 +155,35 @@ fn a_replay_makes_the_foam_that_time_would_have_made() {
         assert!(other.abs() < 0.3, "level {level}: foam of another hour correlates by {other}");
     }
 }
+
+#[test]
+fn an_eye_that_comes_down_finds_the_foam_of_the_coarser_levels_and_at_rest_its_own() {
+    let sea = Sea::new(&blown(16.0));
+    let (now, low) = (waves::ticks_from_unix(NOON), sea.frame.foam_eye);
+    let high = FoamEye { finest: 2, ..low };
+    let mut map = sea.own_map();
+    sea.bring(&mut map, now, &high);
+    assert_eq!(sea.follow(&mut map, now, &low, true), 1, "one step that takes no time");
+    let [seen, coarse] = [0, 2].map(|level| sea.foam(&map, level));
+    // Nine texels of level 0 are as wide as one of level 2; between its texels the map is linear, as where it is drawn.
+    let slot = |x: i32, y: i32| (y.rem_euclid(TEXELS) * TEXELS + x.rem_euclid(TEXELS)) as usize;
+    let (mut foamy, mut worst) = (0, 0.0_f64);
+    for ([x, y], at) in texels(&low, 0) {
+        let place = (DVec2::new(f64::from(x), f64::from(y)) + 0.5) / 9.0 - 0.5;
+        let (cell, f) = (place.floor().as_ivec2(), place - place.floor());
+        let value = |dx: i32, dy: i32| f64::from(coarse[slot(cell.x + dx, cell.y + dy)]);
+        let row = |dy: i32| value(0, dy) * (1.0 - f.x) + value(1, dy) * f.x;
+        let want = row(0) * (1.0 - f.y) + row(1) * f.y;
+        foamy += usize::from(want > 0.1);
+        worst = worst.max((f64::from(seen[at]) - want).abs());
+    }
+    println!("{foamy} white texels, {worst:.1e} at most from the coarser level");
+    // Places in texels of up to some 100 are exact to 2^-17 of one.
+    assert!(foamy > 100 && worst < 2e-5, "{foamy} white, {worst}");
+    // At rest, with time standing still, the replay: the map of an eye that has always been here.
+    let steps = sea.bring(&mut map, now, &low);
+    let mut own = sea.own_map();
+    assert_eq!(sea.bring(&mut own, now, &low), steps);
+    assert!(sea.foam(&map, 0) == sea.foam(&own, 0), "the way down has left traces");
+    assert_eq!(sea.bring(&mut map, now, &low), 0, "at rest");
+}

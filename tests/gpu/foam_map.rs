@@ -125,6 +125,11 @@ impl Sea {
 
     /// As a frame does: as many steps as the map asks for. Returns their number.
     pub fn bring(&self, map: &mut Map, now: u64, eye: &FoamEye) -> usize {
+        self.follow(map, now, eye, false)
+    }
+
+    /// As [`Sea::bring`]; `moving`: more frames follow.
+    pub fn follow(&self, map: &mut Map, now: u64, eye: &FoamEye, moving: bool) -> usize {
         let mut uniform = self.frame.uniform;
         for (level, own) in uniform.foam_levels.iter_mut().enumerate() {
             (own.texel, own.fraction) = eye.texel(level);
@@ -137,7 +142,7 @@ impl Sea {
         }
         self.gpu.queue.write_buffer(&map.uniform, 0, bytemuck::bytes_of(&uniform));
         let mut steps = 0;
-        while let Some(instant) = map.history.next_instant(now, eye, self.lifetime_s) {
+        while let Some(instant) = map.history.next_instant(now, eye, self.lifetime_s, moving) {
             self.run(instant);
             self.step(map, instant, eye);
             steps += 1;

@@ -3,6 +3,9 @@
 //! What has a history must be told how to begin: after a load, a jump in time or place, or a new wind, the foam is rebuilt by
 //! replaying three lifetimes of the sea at instants that depend on UTC alone, so that a still picture has the same foam
 //! everywhere.
+//!
+//! An eye that comes down asks for finer levels. A moving picture fills them from the coarser ones, and time does the rest: a replay would
+//! show the foam of past instants for as long as it takes. Where time stands still the replay is made once the picture is at rest.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -36,8 +39,22 @@ struct State {
     levels: [u64; LEVELS],
     eye: FoamEye,
     empty: bool,
+    /// Since when the finest level has a history of its own, if it was filled from a coarser one.
+    filled: Option<u64>,
     /// On its way through the past: then no step may be longer than the replay's.
     replaying: bool,
+}
+
+impl State {
+    /// Nothing is known yet.
+    fn empty(ticks: u64, eye: &FoamEye) -> Self {
+        Self { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true, filled: None, replaying: false }
+    }
+
+    /// Whether a level still holds foam that it was filled with.
+    fn is_filled(&self, lifetime_s: f64) -> bool {
+        self.filled.is_some_and(|since| self.ticks.wrapping_sub(since) < replay_span(lifetime_s))
+    }
 }
 
 /// What the foam map has been through.
@@ -53,18 +70,18 @@ impl History {
     }
 
     /// The instant up to which a map that is to show `ticks` must be brought next, and None when it shows them already. The first
-    /// of a replay has no history; a step from a recent state leads straight to `ticks`.
-    pub fn next_instant(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64) -> Option<u64> {
+    /// of a replay has no history; a step from a recent state leads straight to `ticks`. `moving`: more frames follow this one.
+    pub fn next_instant(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64, moving: bool) -> Option<u64> {
         let usable = |state: &State| {
             let age = ticks.wrapping_sub(state.ticks);
             // Half of the widest level: nothing that the map knows would be left in the finer ones.
             let near = state.eye.at.distance(eye.at) < 0.25 * f64::from(TEXELS) * TEXELS_M[LEVELS - 1];
-            let fine = state.eye.finest <= eye.finest;
+            let fine = moving || (state.eye.finest <= eye.finest && !(age == 0 && state.is_filled(lifetime_s)));
             age <= 2 * replay_span(lifetime_s) && state.eye.frame == eye.frame && near && fine
         };
         let Some(state) = self.state.filter(usable) else {
             let ticks = replay_start(ticks, lifetime_s);
-            self.state = Some(State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true, replaying: true });
+            self.state = Some(State { replaying: true, ..State::empty(ticks, eye) });
             return Some(ticks);
         };
         let age = ticks.wrapping_sub(state.ticks);
@@ -73,7 +90,7 @@ impl History {
             return Some(state.ticks);
         }
         // Saved up, unless the eye has moved on to texels that the map does not know.
-        let is_known = state.eye.has_same_texels(eye);
+        let is_known = state.eye.finest <= eye.finest && state.eye.has_same_texels(eye);
         if seconds < SHORTEST_STEP_S && (age == 0 || is_known) {
             return (!is_known).then_some(ticks);
         }
@@ -86,22 +103,22 @@ impl History {
 
     /// The step that brings the map to `ticks` with the eye at `eye`; it counts as made.
     pub fn step(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64) -> FoamStep {
-        let fresh = State { ticks, levels: [ticks; LEVELS], eye: *eye, empty: true, replaying: false };
-        let last = self.state.unwrap_or(fresh);
+        let last = self.state.unwrap_or(State::empty(ticks, eye));
         let on_the_way = last.replaying && !last.empty;
         let due: [bool; LEVELS] = std::array::from_fn(|level| {
             level >= eye.finest && (!on_the_way || ticks.is_multiple_of(replay_stride(level, lifetime_s)))
         });
-        let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level]) as f64 / TICKS_PER_SECOND;
+        let dt_s = |level: usize| ticks.wrapping_sub(last.levels[level.max(last.eye.finest)]) as f64 / TICKS_PER_SECOND;
         let passes = |level: usize| last.empty || (due[level] && dt_s(level) > 0.0);
         // A level that is not due stays as it is.
         let each = |left: &dyn Fn(usize) -> f64| std::array::from_fn(|l| if due[l] { left(l) as f32 } else { 1.0 });
         let levels = std::array::from_fn(|level| if due[level] || last.empty { ticks } else { last.levels[level] });
-        self.state = Some(State { ticks, levels, eye: *eye, empty: false, ..last });
+        let filled = if eye.finest < last.eye.finest { Some(ticks) } else { last.filled };
+        self.state = Some(State { ticks, levels, eye: *eye, empty: false, filled, ..last });
         FoamStep {
             previous: std::array::from_fn(|level| {
                 let ([x, y], _) = last.eye.texel(level);
-                [x, y, 0, 0]
+                [x, y, i32::from(level < last.eye.finest), 0]
             }),
             // The first instant of a replay has no time before it: crests that break then count as white.
             grow: if last.empty { [0.0; LEVELS] } else { each(&|level| foam::ungrown(TEXELS_M[level], dt_s(level))) },
