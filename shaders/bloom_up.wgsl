@@ -1,5 +1,6 @@
 // A level of the glow: its own picture, and the next coarser level's glow.
 #import full_screen
+#import four_taps
 
 @group(0) @binding(0) var own: texture_2d<f32>;
 @group(0) @binding(1) var coarser: texture_2d<f32>;
@@ -10,11 +11,6 @@ const WIDER = 0.6;     // share of the coarser levels: light falls off with the 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let at = corner.device * vec2f(0.5, -0.5) + 0.5;
-    let step = 0.5 / vec2f(textureDimensions(coarser));
-    var sum = vec3f(0.0);
-    for (var i = 0u; i < 4u; i++) {
-        let offset = 2.0 * vec2f(f32(i & 1u), f32(i >> 1u)) - 1.0;
-        sum += textureSampleLevel(coarser, clamped, at + offset * step, 0.0).rgb;
-    }
-    return vec4f(mix(textureLoad(own, vec2u(corner.position.xy), 0).rgb, 0.25 * sum, WIDER), 1.0);
+    let around = four_taps(coarser, clamped, at, 0.5 / vec2f(textureDimensions(coarser)));
+    return vec4f(mix(textureLoad(own, vec2u(corner.position.xy), 0).rgb, around, WIDER), 1.0);
 }

@@ -71,7 +71,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let foam = mean_foam(calmed * share_from_afar(0.0, across / pow(grazing, 0.65)), calmed);
         let footprint = across / sqrt(grazing);
         let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
-        water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth, lit.radiance, foam);
+        water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth,
+            water_kind(point, sin_lat, depth), lit.radiance, foam);
         water_share = 1.0;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);

@@ -103,7 +103,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
         if !MEASURED {
-            return vec4f(0.25 * frame.exposure * DEEP_REFLECTANCE, 1.0);
+            return vec4f(0.25 * frame.exposure * OPEN_REFLECTANCE, 1.0);
         }
     }
 
@@ -113,7 +113,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction, up), light), lake_share(ground, footprint)); }
     if UNDER_WATER {
         // Less of the sun reaches the deep bed.
-        let lit = radiance * exp(0.5 * BED_ABSORPTION * min(ground.elevation, 0.0));
+        let lit = radiance * exp(attenuation(eye_kind()) * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
     } else if !sea_covers {
         let air = haze(direction, distance);

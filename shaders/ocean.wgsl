@@ -14,6 +14,7 @@
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
+const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const LIFT_PIXELS = 2.0;       // half a pixel, and the chords of edges some pixels long
 
 struct Vertex {
@@ -84,14 +85,18 @@ fn vertex_of_bisection(@builtin(vertex_index) index: u32) -> Vertex {
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
+    // The way over the water at rest from one pixel to the next.
+    let right = length(dpdx(in.rest));
+    let down = length(dpdy(in.rest));
     var distance = length(in.moved);
     let direction = in.moved / max(distance, 1e-3);
+    let is_chord = waves_are_pixels(distance);
     // Far away the exact hit of the pixel's own ray replaces the chord of its triangle.
     var rest = in.rest;
     var moved = in.moved;
     var limb = Limb(1.0, 0.0, vec2f(0.0));
     var misses = false;
-    if waves_are_pixels(distance) {
+    if is_chord {
         let ray = eye_ray(direction);
         distance = surface_hit(ray);
         if ray.c > 0.0 { limb = limb_of(ray, direction); }
@@ -122,7 +127,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     let grazing = max(abs(dot(direction, up)), 0.002);
     let across = distance * frame.pixel_angle;
-    let footprint = across / sqrt(grazing);
+    var footprint = across / sqrt(grazing);
+    // The backs of crests are seen flatter than level water. All that they add to a pixel's area is along it.
+    if !MEASURED && !is_chord { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
     let point = map_point(dn);
     let ground = ground_at(point, sin_lat, max(across, 1.0));
     if !ground.is_ocean {
@@ -152,6 +159,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,
+        water_kind(point, sin_lat, depth),
         behind / max(frame.exposure, 1e-9), foam), daylight_at(dot(frame.sun, up)));
     let air = haze(direction, distance);
     var radiance = water * air.transmittance + air.radiance;

@@ -16,7 +16,7 @@ use egui::{
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
 use crate::scene::link::number::decimal;
-use crate::scene::settings::{Mesh, Settings};
+use crate::scene::settings::{Mesh, Settings, Water};
 use crate::scene::view::named::{VIEWS, View};
 use crate::scene::view::state::ViewState;
 
@@ -231,6 +231,13 @@ impl Panel {
         let haze = ui.add(haze);
         self.widgets.note("haze", &haze);
         haze.on_hover_text("Optical depth of the aerosol: 0.05 far out, 0.1 near shores, 0.2 in smoke");
+        let name = |water| Water::ALL.iter().find(|(kind, _)| *kind == water).map_or("", |(_, name)| *name);
+        let combo = egui::ComboBox::from_label("water").selected_text(name(settings.water)).show_ui(ui, |ui| {
+            for (water, name) in Water::ALL {
+                ui.selectable_value(&mut settings.water, water, name);
+            }
+        });
+        self.widgets.note("water", &combo.response);
         let density =
             Slider::new(&mut settings.water_density_per_m, 0.1..=0.3).custom_formatter(digits(3)).text("ρ, 1/m");
         ui.add(density).on_hover_text("The water hides the ground by 1 − exp(−ρ·depth)");

@@ -2,13 +2,7 @@
 #import light
 #import brdf
 #import foam_light
-
-// Reflectance of deep water, as seen from above straight down: pi times the remote-sensing reflectance of the open ocean with 0.1 mg of
-// chlorophyll per cubic metre (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as
-// linear sRGB). It holds the surface's transmission both ways.
-const DEEP_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
-// How fast red, green and blue fade over the shallow bed, per metre, both ways together (K_d of Jerlov type IB).
-const BED_ABSORPTION = vec3f(0.55, 0.13, 0.09);
+#import water_types
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
@@ -29,6 +23,7 @@ struct WaterPoint {
     rough: vec2f,          // unresolved slope variance along the wind and across it
     alpha: f32,
     depth: Metres,
+    kind: f32,             // of the water
     bed: vec3f,            // radiance of what lies under the water
     foam: Foam,
 }
@@ -48,22 +43,25 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
     let sparkle = sun * glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
     let down = sun * max(mu_sun, 0.0) + ambient;
-    let body = (DEEP_REFLECTANCE + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
-    let bed = w.bed * exp(-BED_ABSORPTION * w.depth);
+    let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
+    let bed = w.bed * exp(-2.0 * attenuation(w.kind) * w.depth);
     let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
     return mix(reflected + sparkle + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
 }
+
+// The water about an eye in it, as of the open ocean.
+fn eye_kind() -> f32 { return clamp(1.0, frame.water_kinds.x, frame.water_kinds.y); }
 
 // Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.
 fn water_veil() -> vec3f {
     let mu_sun = frame.sun.z;
     let light = daylight_at(mu_sun);
     let down = light.sun * max(mu_sun, 0.0) + light.sky;
-    return 1.5 * DEEP_REFLECTANCE / PI * down * exp(0.25 * BED_ABSORPTION * frame.eye_altitude);
+    return 1.5 * deep_reflectance(eye_kind()) / PI * down * exp(attenuation(eye_kind()) * frame.eye_altitude);
 }
 
 fn through_water(radiance: vec3f, distance: Metres) -> vec3f {
-    return mix(water_veil(), radiance, exp(-0.5 * BED_ABSORPTION * distance));
+    return mix(water_veil(), radiance, exp(-attenuation(eye_kind()) * distance));
 }
 
 // The surface from below: the sky through Snell's window, total reflection around it. `direction` goes up to the surface.

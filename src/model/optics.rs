@@ -63,7 +63,7 @@ pub fn water_alpha(rho_per_m: f64, depth_m: f64) -> f64 {
 }
 
 /// Reflectance of deep water in red, green and blue, as seen from above straight down: the open ocean with 0.1 mg of chlorophyll per
-/// cubic metre. Equals `DEEP_REFLECTANCE` in `shaders/lib/water.wgsl`, which tells its source.
+/// cubic metre. Equals `OPEN_REFLECTANCE` in `shaders/lib/water_types.wgsl`, which tells its source.
 pub const DEEP_REFLECTANCE: [f64; 3] = [0.0, 0.0043, 0.0265];
 
 /// Opacity from which on nothing of the bed can be seen: less than 1/250 of its light comes through. Equals `OPAQUE_ALPHA` in

@@ -117,6 +117,47 @@ impl Quality {
     ];
 }
 
+/// What the sea's water holds, and so its colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Water {
+    /// By the place: its latitude and depth.
+    #[default]
+    Auto,
+    /// The clearest and bluest there is, with 0.03 mg of chlorophyll per cubic metre.
+    Gyre,
+    /// The open ocean's, with 0.1 mg.
+    Open,
+    /// Of cooler seas, with 0.5 mg.
+    Temperate,
+    /// Green, with 2 mg.
+    Shelf,
+    /// With 3 mg and dissolved matter of the land.
+    Coastal,
+    /// Of muddy estuaries.
+    Turbid,
+}
+
+impl Water {
+    /// Every water with its name in links.
+    pub const ALL: [(Self, &'static str); 7] = [
+        (Self::Auto, "auto"),
+        (Self::Gyre, "gyre"),
+        (Self::Open, "open"),
+        (Self::Temperate, "temperate"),
+        (Self::Shelf, "shelf"),
+        (Self::Coastal, "coastal"),
+        (Self::Turbid, "turbid"),
+    ];
+
+    /// The clearest and the most turbid kind that are drawn, from 0 (gyre) to 5 (turbid).
+    pub fn kinds(self) -> [f64; 2] {
+        match self {
+            Self::Auto => [0.0, 5.0],
+            one => [f64::from(one as u8 - Self::Gyre as u8); 2],
+        }
+    }
+}
+
 /// The haziest air that may be chosen: a plume of smoke or dust.
 pub const HAZIEST: f64 = 0.5;
 
@@ -149,6 +190,8 @@ pub struct Settings {
     pub layers: Layers,
     /// Optical depth of the air's aerosol at 550 nm, straight up, 0 to [`HAZIEST`]: 0.05 to 0.2 over oceans.
     pub haze: f64,
+    /// The sea's water.
+    pub water: Water,
     /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3. Not part of a link.
     pub water_density_per_m: f64,
 }
@@ -169,6 +212,7 @@ impl Default for Settings {
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,
+            water: Water::Auto,
             water_density_per_m: 0.2,
         }
     }

@@ -2,7 +2,7 @@
 
 use ocean_globe::scene::layers::{Layer, Layers};
 use ocean_globe::scene::link::fragment::LONGEST;
-use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Triangles, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Triangles, Water, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::named::VIEWS;
@@ -37,6 +37,7 @@ fn bad(text: &str) {
         "chop" => expected.settings.chop = before.settings.chop,
         "foam" => expected.settings.foam = before.settings.foam,
         "haze" => expected.settings.haze = before.settings.haze,
+        "water" => expected.settings.water = before.settings.water,
         "time" => expected.time = before.time,
         "rate" => expected.rate = before.rate,
         "seed" => expected.settings.seed = before.settings.seed,
@@ -71,6 +72,7 @@ fn other_than_default() -> ViewState {
             quality: Quality::High,
             layers,
             haze: 0.15,
+            water: Water::Coastal,
             water_density_per_m: 0.3,
         },
         time: SceneTime::At(1_795_176_000.0),
@@ -85,7 +87,7 @@ fn every_key_is_written_in_the_order_of_the_table() {
     assert_eq!(
         text,
         "view=35.6812,-14.25,560,120,78&ride=1&wind=13.9@240&bft=7&spectrum=phillips&fetch=300&swell=2.5,14,310\
-         &chop=0.8&foam=0.5,10&haze=0.15&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
+         &chop=0.8&foam=0.5,10&haze=0.15&water=coastal&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
     );
     let mut read = good(&text);
     // The water's density is the panel's alone.
@@ -100,7 +102,7 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
     assert_eq!(state.format_fragment(None), "");
     assert_eq!(good(""), state);
     assert_eq!(good("#"), state);
-    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&time=now&rate=1&seed=0\
+    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&water=auto&time=now&rate=1&seed=0\
                  &quality=auto&v=1&layers=";
     assert_eq!(good(table), state);
     let s = state.settings;
@@ -212,6 +214,7 @@ fn a_bad_pair_is_reported_and_leaves_the_last_good_value() {
         "foam=1,2,3",
         "foam=1,2,height,4",
         "haze=thick",
+        "water=wine",
         "time=tomorrow",
         "time=2026-13-01T00:00:00Z",
         "time=2026-11-20T25:00:00Z",

@@ -2,7 +2,7 @@
 
 use ocean_globe::scene::layers::{Layer, Layers};
 use ocean_globe::scene::link::fragment::LONGEST;
-use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Water, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::state::ViewState;
@@ -62,6 +62,7 @@ fn ten_thousand_hostile_fragments_leave_a_valid_state() {
         "chop",
         "foam",
         "haze",
+        "water",
         "time",
         "rate",
         "seed",
@@ -215,7 +216,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
     let settings = (
         (wind, proptest::option::of(0u8..=12), 0usize..7, proptest::option::of(1.0..=5000.0)),
         (proptest::option::of(swell), 0.0..=2.0, foam, any::<u32>()),
-        (0usize..2, 0usize..5, layers, (0u16..=500).prop_map(|haze| f64::from(haze) / 1000.0)),
+        (0usize..2, 0usize..5, layers, (0u16..=500).prop_map(|haze| f64::from(haze) / 1000.0), 0usize..7),
     );
     let settings =
         settings.prop_map(|((wind, beaufort, spectrum, fetch_km), (swell, chop, foam, seed), rest)| Settings {
@@ -231,6 +232,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
             quality: Quality::ALL[rest.1].0,
             layers: rest.2,
             haze: rest.3,
+            water: Water::ALL[rest.4].0,
             ..Settings::default()
         });
     let time = proptest::option::of(FIRST_S..=LAST_S).prop_map(|at| at.map_or(SceneTime::Now, SceneTime::At));
@@ -275,7 +277,7 @@ proptest! {
             prop_assert!((w.height_m - x.height_m).abs() <= 0.0005 + 1e-9 && apart_deg(w.from_deg, x.from_deg) <= 0.005 + 1e-9);
             prop_assert!((w.period_s - x.period_s).abs() <= 0.0005 + 1e-9);
         }
-        prop_assert_eq!((s.beaufort, s.spectrum, s.seed, s.haze), (t.beaufort, t.spectrum, t.seed, t.haze));
+        prop_assert_eq!((s.beaufort, s.spectrum, s.seed, s.haze, s.water), (t.beaufort, t.spectrum, t.seed, t.haze, t.water));
         prop_assert_eq!((s.mesh, s.quality, s.layers, state.ride), (t.mesh, t.quality, t.layers, read.ride));
         prop_assert!((state.rate - read.rate).abs() <= 5e-7 + 1e-9);
         match (state.time, read.time) {

@@ -236,7 +236,7 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
     assert_eq!(constant(&globe::source(Kind::default()), "RIM"), f64::from(globe::RIM));
     let reflectance = optics::DEEP_REFLECTANCE.map(|share| f64::from(share as f32));
-    assert_eq!(constants(&land, "DEEP_REFLECTANCE"), reflectance);
+    assert_eq!(constants(&land, "OPEN_REFLECTANCE"), reflectance);
     assert_eq!(constant(&land, "OPAQUE_ALPHA"), f64::from(optics::OPAQUE_ALPHA as f32));
     assert_eq!(constant(&perlin::source(), "SIDE"), f64::from(perlin::SIDE));
     assert_eq!(constant(&perlin::source(), "OCTAVES"), ocean_globe::model::perlin::OCTAVES as f64);

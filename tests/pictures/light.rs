@@ -6,7 +6,7 @@ use ocean_globe::scene::frame::Output;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 /// On the equator in the Atlantic, the sun 40 degrees high in the west.
-const AT_40_DEG: &str = "wind=7@90&time=2026-03-20T17:27:30Z&layers=-foam";
+const AT_40_DEG: &str = "wind=7@90&time=2026-03-20T17:27:30Z&layers=-foam&water=open";
 
 const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
@@ -110,6 +110,58 @@ fn the_sea_mirrors_the_sky_as_rough_water_does() {
         println!("{depression} degrees: {found:.3} of {wanted}");
         assert!((found / wanted - 1.0).abs() < 0.15, "{depression} degrees down: {found}, not {wanted}");
     }
+}
+
+/// Radiance straight down from 60 m over a place, without foam.
+fn water(renderer: &mut Renderer, place: &str, time: &str, kind: &str) -> [f64; 3] {
+    let link = format!("#view={place},60,0,0&wind=3@90&layers=-foam&quality=low&time={time}&water={kind}");
+    let state = render::parse_state(&link).unwrap();
+    let values = render::measure(renderer, &state, [32, 32], LayerName::Radiance).unwrap().values;
+    let pixels = values.len() as f64 / 3.0;
+    std::array::from_fn(|part| values.iter().skip(part).step_by(3).sum::<f64>() / pixels)
+}
+
+#[test]
+fn water_has_the_colour_of_its_kind() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Reflectances of a spectral model (see `deep_reflectance` in `shaders/lib/water_types.wgsl`), linear sRGB.
+    let kinds = [
+        ("open", [0.0, 0.0043, 0.0265]),
+        ("temperate", [0.0, 0.0078, 0.0194]),
+        ("shelf", [0.0003, 0.0119, 0.0149]),
+        ("coastal", [0.006, 0.024, 0.015]),
+        ("turbid", [0.049, 0.083, 0.036]),
+    ];
+    let gyre = [0.0, 0.0028, 0.0322];
+    let mut of = |kind| water(&mut renderer, "0,-30", "2026-03-20T14:00:00Z", kind);
+    let clearest = of("gyre");
+    // The rest of what is seen is the same for all, so that differences are those of the reflectances.
+    let light = (of("turbid")[1] - clearest[1]) / (kinds[4].1[1] - gyre[1]);
+    for (kind, reflectance) in kinds {
+        let found = of(kind);
+        for part in 0..3 {
+            let wanted = (reflectance[part] - gyre[part]) * light;
+            // The sun is whiter than its light at sea level by up to a seventh in the red and the blue.
+            let change = found[part] - clearest[part];
+            assert!(
+                (change - wanted).abs() < 0.02 * light * 0.083 + 0.15 * wanted.abs(),
+                "{kind} {part}: {change}, {wanted}"
+            );
+        }
+    }
+}
+
+#[test]
+fn cool_shelves_are_green_and_gyres_blue() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let mut greenness = |place, hour| {
+        let [_, g, b] = water(&mut renderer, place, &format!("2026-06-21T{hour}:00:00Z"), "auto");
+        g / b
+    };
+    let [sargasso, north_sea, java_sea] =
+        [("26,-60", "13"), ("54.5,3.5", "09"), ("-5,110", "02")].map(|(place, hour)| greenness(place, hour));
+    println!("green over blue: Sargasso Sea {sargasso:.2}, North Sea {north_sea:.2}, Java Sea {java_sea:.2}");
+    assert!(north_sea > 2.0 * sargasso && java_sea < 0.75 * north_sea, "{sargasso} {north_sea} {java_sea}");
 }
 
 #[test]

@@ -296,6 +296,7 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let speed = settings.wind_speed_mps();
     let (east, north) = sea_state::wind_components(speed, settings.wind.from_deg.to_radians());
     u.wind = Vec2::new(east as f32, north as f32);
+    u.water_kinds = settings.water.kinds().map(|kind| kind as f32);
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
     u.chop = sea.sea.chop as f32;

@@ -189,6 +189,10 @@ gpu_struct! {
         gust_origin: [u32; 2] = "vec2u",
         /// Unit vector along the wind on the Mercator square, x east, y south.
         gust_axis: Vec2 = "vec2f",
+        /// The clearest and the most turbid kind of water that is drawn; see `water_types.wgsl`.
+        water_kinds: [f32; 2] = "vec2f",
+        /// Padding.
+        unused: [u32; 2] = "vec2u",
         /// Cosine and sine of the eye's longitude.
         meridian: Vec2 = "vec2f",
         /// Unit vector towards the sun.

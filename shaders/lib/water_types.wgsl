@@ -1,0 +1,36 @@
+// Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid; what
+// lies between is mixed.
+#import map
+#import noise
+
+// The light that deep water sends back over what falls on it, as seen from above straight down: pi times the remote-sensing reflectance
+// with 0.03, 0.1, 0.5, 2 and 3 mg of chlorophyll per cubic metre, the last with dissolved matter besides, and of a muddy estuary
+// (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as linear sRGB). It holds the
+// surface's transmission both ways.
+fn deep_reflectance(kind: f32) -> vec3f {
+    let clear = mix(mix(vec3f(0.0, 0.0028, 0.0322), OPEN_REFLECTANCE, saturate(kind)), vec3f(0.0, 0.0078, 0.0194), saturate(kind - 1.0));
+    let green = mix(mix(clear, vec3f(0.0003, 0.0119, 0.0149), saturate(kind - 2.0)), vec3f(0.006, 0.024, 0.015), saturate(kind - 3.0));
+    return mix(green, vec3f(0.049, 0.083, 0.036), saturate(kind - 4.0));
+}
+
+const OPEN_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
+
+// How fast daylight fades with depth, per metre: Jerlov's types I, IB, II, III and coastal 3 (R. Austin and T. Petzold 1984); of an estuary
+// ours.
+fn attenuation(kind: f32) -> vec3f {
+    let clear = mix(mix(vec3f(0.42, 0.060, 0.012), vec3f(0.42, 0.068, 0.030), saturate(kind)), vec3f(0.42, 0.084, 0.066), saturate(kind - 1.0));
+    let green = mix(mix(clear, vec3f(0.42, 0.113, 0.133), saturate(kind - 2.0)), vec3f(0.43, 0.19, 0.40), saturate(kind - 3.0));
+    return mix(green, vec3f(0.7, 0.5, 1.0), saturate(kind - 4.0));
+}
+
+// The kind of water at a place, within what the link allows. Without a map of chlorophyll: gyres are about 22 degrees from the equator;
+// beyond 33 water is greener, on shelves more so; warm shelves stay clear; blooms and eddies are 80 to 300 km wide. All ours.
+fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
+    let s = abs(sin_lat);
+    let off_gyre = (s - 0.37) / 0.15;
+    let cool = smoothstep(0.54, 0.82, s);
+    let shelf = smoothstep(300.0, 30.0, depth);
+    let blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0;
+    let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, smoothstep(0.42, 0.75, s)) + 2.0 * blooms;
+    return clamp(found, frame.water_kinds.x, frame.water_kinds.y);
+}
