@@ -72,14 +72,13 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let footprint = across / sqrt(grazing);
         let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
         water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth,
-            water_kind(point, sin_lat, depth), lit.radiance, foam);
+            water_kind(point, sin_lat, depth), lit.radiance, foam, MEAN_FACETS);
         water_share = 1.0;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);
-    let air = haze(direction, distance);
     // Land fills the pixels whose middles it meets, as its tiles do.
     let share = select(select(1.0, 0.0, misses), limb.share, ground.is_ocean);
-    let seen = mix(sky, radiance * air.transmittance + air.radiance, share);
+    let seen = mix(sky, through_air(radiance, light, up, direction, distance), share);
     if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
     if ground.is_ocean { return measured_output(Measured(rest, distance, depth, water.alpha, 0.0, up, 1.0, mix_weights(distance).y), seen); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0), seen);

@@ -1,6 +1,7 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED` and `UNDER_WATER` are of
 // src/pass/kind.rs.
 #import ground
+#import spray
 #import output
 
 struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
@@ -116,8 +117,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let lit = radiance * exp(attenuation(eye_kind()) * min(ground.elevation, 0.0));
         radiance = through_water(lit, distance);
     } else if !sea_covers {
-        let air = haze(direction, distance);
-        radiance = radiance * air.transmittance + air.radiance;
+        radiance = through_air(radiance, light, up, direction, distance);
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     let rest = surface_from_normal_delta(at.dn);

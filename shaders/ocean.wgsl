@@ -9,6 +9,7 @@
 #import waves
 #import gusts
 #import water
+#import spray
 #import output
 
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;
@@ -152,17 +153,19 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
     let foam_footprint = across / pow(grazing, 0.65);
     var foam = flat_foam(0.0, 0.0);
+    var facets = MEAN_FACETS;
     if FOAM {
+        if frame.sparkles == 1u { facets = facets_at(foam_at, across, grazing); }
         foam = foam_of(calmed * foam_share(foam_at, in.height, foam_footprint), calmed, lace_at(foam_at, footprint));
     } else {
         foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
+    let light = daylight_at(dot(frame.sun, up));
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,
         water_kind(point, sin_lat, depth),
-        behind / max(frame.exposure, 1e-9), foam), daylight_at(dot(frame.sun, up)));
-    let air = haze(direction, distance);
-    var radiance = water * air.transmittance + air.radiance;
+        behind / max(frame.exposure, 1e-9), foam, facets), light);
+    var radiance = through_air(water, light, up, direction, distance);
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
         let step = select(limb.beyond, vec2f(0.0), misses);

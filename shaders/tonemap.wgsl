@@ -1,5 +1,5 @@
 // From scene radiance to display: AgX, which takes the colour out of what is too bright for a display instead of clipping it
-// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), a little more contrast and colour,
+// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), for the whites of daylight, with a little more contrast and colour,
 // and half a step of noise, so that no sky has bands.
 #import full_screen
 #import hash
@@ -26,7 +26,7 @@ fn agx_curve(x: vec3f) -> vec3f {
 
 // Display values, 0...1, of exposed radiance.
 fn displayed(radiance: vec3f) -> vec3f {
-    let x = (log2(max(INSET * radiance, vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
+    let x = (log2(max(INSET * (BALANCE * radiance), vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
     let toned = pow(max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0)), vec3f(CONTRAST));
     let grey = dot(toned, vec3f(0.2126, 0.7152, 0.0722));
     return clamp(OUTSET * mix(vec3f(grey), toned, SATURATION), vec3f(0.0), vec3f(1.0));

@@ -34,14 +34,21 @@ fn variance_towards(direction: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> 
 
 // Area that facets show to a direction, of level ground's: `cosine` is what their mean plane shows, `spread` the deviation of that.
 fn shown_area(cosine: f32, spread: f32) -> f32 {
-    let x = clamp(cosine / max(spread, 1e-5), -6.0, 1e4);
-    return max(max(spread, 1e-5) * (x * normal_share(x) + exp(-0.5 * x * x) * 0.3989422804014327), 1e-7);
+    // As good as even: then the plane is all that shows.
+    let least = max(spread, 1e-4);
+    let x = clamp(cosine / least, -6.0, 1e5);
+    return max(least * (x * normal_share(x) + exp(-0.5 * x * x) * 0.3989422804014327), 1e-7);
 }
 
-// Radiance of the sun's glitter per unit solar irradiance, for Gaussian slopes about `normal` of variance rough.x along the
+struct Glitter {
+    radiance: f32,         // per unit solar irradiance
+    chance: f32,           // how usual the slopes that mirror the sun are, of the most usual ones
+}
+
+// The sun's glitter, for Gaussian slopes about `normal` of variance rough.x along the
 // unit vector `along` and rough.y across it (C. Cox and W. Munk 1954), of facets that neither hides from eye or sun, by Smith's
 // shadowing for correlated heights (V. Ross, D. Dion and G. Potter 2005).
-fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> f32 {
+fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, rough: vec2f) -> Glitter {
     let sum = view + sun;
     let half_vector = sum / max(length(sum), 1e-6);
     let hz = max(dot(half_vector, up), 1e-3);
@@ -52,12 +59,12 @@ fn glitter(view: vec3f, sun: vec3f, normal: vec3f, up: vec3f, along: vec3f, roug
     let variance = max(rough, vec2f(1e-5));        // the sun's own disc: (0.27 deg / 2)^2 on each axis
     let d_along = dot(d, along);
     let d_across = max(dot(d, d) - d_along * d_along, 0.0);
-    let density = exp(-0.5 * (d_along * d_along / variance.x + d_across / variance.y))
-        / (6.283185307179586 * sqrt(variance.x * variance.y));
+    let chance = exp(-0.5 * (d_along * d_along / variance.x + d_across / variance.y));
+    let density = chance / (6.283185307179586 * sqrt(variance.x * variance.y));
     let seen = shown_part(view, normal, nz, up, along, variance);
     let lit = shown_part(sun, normal, nz, up, along, variance);
     let unhidden = max(seen.y + max(seen.x, 0.0) * (lit.y / max(lit.x, 1e-4) - 1.0), 1e-6);
-    return fresnel_water(dot(half_vector, view)) * density / (4.0 * hz * hz * hz * hz * unhidden);
+    return Glitter(fresnel_water(dot(half_vector, view)) * density / (4.0 * hz * hz * hz * hz * unhidden), chance);
 }
 
 // What a patch with the mean plane of `normal` shows to a direction, of level ground's area: the plane, and its facets.

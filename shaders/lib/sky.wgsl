@@ -1,5 +1,6 @@
 // What an eye in the air or above it sees of the sky: the air, the sun's disc, the faint light of the night.
 #import light
+#import spray
 
 const DISC_RADIANCE = 1.96e4;     // mean over the disc 14,700: a solid angle of 6.8e-5 sr
 const MOST = 6.0e4;                // that half floats hold
@@ -12,5 +13,7 @@ fn sky_light(direction: vec3f) -> vec3f {
     var sun = vec3f(0.0);
     if disc * above > 0.0 { sun = min(disc * above * DISC_RADIANCE * beam_seen(direction), vec3f(MOST / frame.exposure)); }
     let night = NIGHT * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT);
-    return sky_seen(direction) + sun + night;
+    let up = vec3f(0.0, 0.0, 1.0);
+    let spray = spray_light(daylight_at(frame.sun.z), up, direction);
+    return mix(spray, sky_seen(direction) + sun + night, exp(-spray_before_sky(direction.z)));
 }

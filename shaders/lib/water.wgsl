@@ -2,6 +2,7 @@
 #import light
 #import brdf
 #import foam_light
+#import sparkle
 #import water_types
 
 fn water_alpha(depth: Metres) -> f32 {
@@ -26,6 +27,7 @@ struct WaterPoint {
     kind: f32,             // of the water
     bed: vec3f,            // radiance of what lies under the water
     foam: Foam,
+    facets: Facets,
 }
 
 // `light`: the daylight at the point.
@@ -41,12 +43,16 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
-    let sparkle = sun * glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
+    let mean_glitter = glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
+    let glints = sun * mean_glitter.radiance;
+    // Where the sky outshines the mean of the facets single ones do not stand out.
+    let standing_out = smoothstep(0.03, 0.4, glints.g / max(reflected.g, 1e-9));
+    let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-2.0 * attenuation(w.kind) * w.depth);
     let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
-    return mix(reflected + sparkle + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
+    return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
 }
 
 // The water about an eye in it, as of the open ocean.

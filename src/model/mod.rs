@@ -28,6 +28,7 @@ pub mod sea_spectrum;
 pub mod sea_state;
 pub mod sea_tables;
 pub mod spectrum;
+pub mod spray;
 pub mod spreading;
 pub mod sun;
 pub mod surface;

@@ -3,11 +3,14 @@
 use crate::gpu::full_screen::FullScreen;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
+use crate::model::daylight;
 
 /// The composed shader, with a glow or without.
 pub fn source(glow: bool) -> String {
     let import = if glow { "#import glow\n" } else { "#import no_glow\n" };
-    shader::composed(&(import.to_owned() + include_str!("../../shaders/tonemap.wgsl")), "")
+    let [r, g, b] = daylight::BALANCE;
+    let balance = format!("const BALANCE = vec3f({r}, {g}, {b});\n");
+    shader::composed(&(import.to_owned() + include_str!("../../shaders/tonemap.wgsl")), &balance)
 }
 
 /// The pass into a target of `format`, which takes display (gamma) values. It reads the scene's radiance and, with a glow, that and a

@@ -261,10 +261,33 @@ fn meter(@builtin(global_invocation_id) id: vec3u) {
 
 /// Irradiances of level ground by sun and sky, as luminance, for sines of the sun's elevation.
 fn daylight_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[f64; 2]> {
+    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    colours_of_the_tables(settings, suns).into_iter().map(|parts| parts.map(luminance)).collect()
+}
+
+/// As red, green and blue.
+fn colours_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[[f64; 3]; 2]> {
     let frame = Frame::new(settings, &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64, 64]);
     let [lit, skies] = Air::new(METER, "meter").run(&frame, suns);
-    let luminance = |[r, g, b, _]: [f32; 4]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
-    lit.into_iter().zip(skies).map(|(sun, sky)| [luminance(sun), luminance(sky)]).collect()
+    let rgb = |[r, g, b, _]: [f32; 4]| [r, g, b].map(f64::from);
+    lit.into_iter().zip(skies).map(|(sun, sky)| [rgb(sun), rgb(sky)]).collect()
+}
+
+#[test]
+fn the_light_of_day_is_balanced_to_white() {
+    let suns = [30.0f32, 45.0, 60.0].map(|deg| deg.to_radians().sin());
+    let shown = colours_of_the_tables(&Settings::default(), &suns).into_iter().map(|[sun, sky]| {
+        let balanced: [f64; 3] = std::array::from_fn(|part| daylight::BALANCE[part] * (sun[part] + sky[part]));
+        balanced.map(|part| part / balanced[1])
+    });
+    let [low, middle, high]: [[f64; 3]; 3] = shown.collect::<Vec<_>>().try_into().unwrap();
+    println!("at 30, 45 and 60 degrees {low:.3?}, {middle:.3?}, {high:.3?}");
+    // Factors have three figures.
+    assert!((middle[0] - 1.0).abs() < 0.002 && (middle[2] - 1.0).abs() < 0.002, "{middle:?}");
+    // A lower sun is warmer.
+    assert!(low[0] > high[0] && low[2] < high[2], "{low:?}, {high:?}");
+    let [r, g, b] = daylight::BALANCE;
+    assert!((0.2126 * r + 0.7152 * g + 0.0722 * b - 1.0).abs() < 0.001);
 }
 
 #[test]
@@ -295,4 +318,30 @@ fn the_meter_reads_what_the_tables_hold() {
     println!("in haze {hazy_sun:.4} + {hazy_sky:.4}");
     assert!((hazy_sun / sun / (-0.12f64 / 0.643).exp() - 1.0).abs() < 0.02, "{hazy_sun} of {sun}");
     assert!(hazy_sky > 1.4 * sky && hazy_sun + hazy_sky < sun + sky, "{hazy_sky} of {sky}");
+}
+
+#[test]
+fn a_level_path_over_the_sea_is_as_hazy_as_an_oceans_air() {
+    let mut air = Air::<4>::new(KERNEL, "compare");
+    // The sun 40 degrees high.
+    let frame = Frame::new(
+        &Settings::default(),
+        &Camera::from_degrees(0.0, -30.0, 10.0, 0.0, 0.0),
+        1_774_027_650.0,
+        [640, 360],
+    );
+    let sun = frame.uniform.sun;
+    assert!((sun.z.asin().to_degrees() - 40.0).abs() < 0.3, "{sun}");
+    let across = glam::Vec3::new(-sun.y, sun.x, 0.0).normalize().to_array();
+    let luminance = |[r, g, b, _]: [f32; 4]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    let ray = |distance| Ray { direction: across, distance };
+    let [seen, through, _, _] = air.run(&frame, &[5e3, 1e4, 2e4, 5e4, SKY].map(ray));
+    let horizon = luminance(seen[4]);
+    // Of a spectral model of the same air: what is left of a light, and the air's own over the horizon's.
+    let wanted = [(5.0, 0.67, 0.32), (10.0, 0.45, 0.54), (20.0, 0.21, 0.78), (50.0, 0.02, 0.96)];
+    for ((km, left, added), (seen, through)) in wanted.into_iter().zip(seen.iter().zip(&through)) {
+        let found = [luminance(*through), luminance(*seen) / horizon];
+        println!("{km} km: {:.3} of {left} left, {:.3} of {added} added", found[0], found[1]);
+        assert!((found[0] - left).abs() < 0.05 && (found[1] - added).abs() < 0.06, "{km} km: {found:?}");
+    }
 }

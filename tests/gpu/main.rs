@@ -19,6 +19,8 @@ mod pool;
 mod precision;
 mod shaders;
 mod slope_moments;
+mod sparkle;
+mod spray;
 mod surface_sample;
 mod water;
 mod wave_anchors;

@@ -18,6 +18,7 @@ mod sea_state;
 mod seas;
 mod spectra_oracles;
 mod spectrum;
+mod spray;
 mod stalls;
 mod sun;
 mod waves;

@@ -1,6 +1,7 @@
 //! The light of a picture: a clear day's sky, the tone of the display, foam that can be taken away.
 
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::model::daylight::BALANCE;
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::Output;
 
@@ -39,8 +40,9 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
         let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
         powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.1)
     };
+    let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
     let toned =
-        times(INSET, exposed).map(|part| curve(((part.max(1e-10).log2() + 12.47393) / 16.499999).clamp(0.0, 1.0)));
+        times(INSET, balanced).map(|part| curve(((part.max(1e-10).log2() + 12.47393) / 16.499999).clamp(0.0, 1.0)));
     let grey = luminance(toned);
     times(OUTSET, toned.map(|part| grey + 1.3 * (part - grey))).map(|part| part.clamp(0.0, 1.0))
 }
@@ -110,6 +112,22 @@ fn the_sea_mirrors_the_sky_as_rough_water_does() {
         println!("{depression} degrees: {found:.3} of {wanted}");
         assert!((found / wanted - 1.0).abs() < 0.15, "{depression} degrees down: {found}, not {wanted}");
     }
+}
+
+#[test]
+fn the_ocean_from_space_is_as_bright_as_it_is() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Straight down, far from the glint.
+    let found = seen(&mut renderer, "0,-30,20000000,0,0");
+    // Reflectance factors of a spectral model: what a white surface in the same sun, 40 degrees high beyond the air, would be one of.
+    let white = 40f64.to_radians().sin() / std::f64::consts::PI;
+    let [r, g, b] = found.map(|part| part / white);
+    println!("{r:.4} {g:.4} {b:.4}, green over blue {:.3}, red over blue {:.3}", g / b, r / b);
+    for (found, wanted) in [(r, 0.03), (g, 0.06), (b, 0.14)] {
+        // Wanted to one or two figures.
+        assert!((found / wanted - 1.0).abs() < 0.17, "{found}, not {wanted}");
+    }
+    assert!((0.40..0.48).contains(&(g / b)) && (0.20..0.27).contains(&(r / b)), "{found:?}");
 }
 
 /// Radiance straight down from 60 m over a place, without foam.

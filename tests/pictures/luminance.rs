@@ -97,7 +97,7 @@ impl Sweep {
         };
         let mut sums = vec![[[DVec2::ZERO; 4]; PLACES]; heights.len()];
         for place in 0..PLACES {
-            // Within 6 km of each other, evenly, in the open Gulf of Guinea.
+            // Within 6 km of each other, evenly, in the open South Pacific.
             let [x, y] = [0.754_877_666, 0.569_840_291].map(|step| 1e-3 * (step * place as f64).fract());
             let (lat, lon) = (-0.17 + x, -2.1 + y);
             let height =

@@ -8,7 +8,7 @@ use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::{self, MAX_CELLS};
-use crate::model::{sea_state, sun};
+use crate::model::{sea_state, spray, sun, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
 use crate::scene::sea::Seas;
@@ -106,6 +106,8 @@ impl Frame {
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
         let foam_lifetime_s = set_foam(&mut uniform, wanted, camera, &whitecaps, &foam_eye);
+        uniform.sparkles = u32::from(settings.quality != Quality::Low);
+        uniform.clock = waves::ticks_from_unix(unix_seconds) as u32;
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
         Self {
@@ -194,7 +196,7 @@ impl Frame {
 
     /// The frame's instant in ticks of the wave clock, see [`crate::model::waves::TICKS_PER_SECOND`].
     pub fn ticks(&self) -> u64 {
-        crate::model::waves::ticks_from_unix(self.unix_seconds)
+        waves::ticks_from_unix(self.unix_seconds)
     }
 }
 
@@ -299,6 +301,8 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.water_kinds = settings.water.kinds().map(|kind| kind as f32);
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
+    let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
+    u.spray = DVec2::new(extinction, spray::scale_height_m(sea.sea.hs_m)).as_vec2();
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;

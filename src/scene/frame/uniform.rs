@@ -191,6 +191,12 @@ gpu_struct! {
         gust_axis: Vec2 = "vec2f",
         /// The clearest and the most turbid kind of water that is drawn; see `water_types.wgsl`.
         water_kinds: [f32; 2] = "vec2f",
+        /// Low bits of the instant, ticks of 2^-20 s.
+        clock: u32 = "u32",
+        /// 1 where a counted number of facets lights a pixel near the eye, 0 where their mean does.
+        sparkles: u32 = "u32",
+        /// Spray in the air: extinction at the water, per metre, and the height over which it thins out by e, metres.
+        spray: Vec2 = "vec2f",
         /// Padding.
         unused: [u32; 2] = "vec2u",
         /// Cosine and sine of the eye's longitude.

@@ -1,0 +1,51 @@
+// Sparkle: near the eye a pixel shows so few facets that those light it which happen to mirror the sun, not their mean. Their number is
+// binomial (T. Deliot and L. Belcour 2023); its mean over the water and over time is the glitter's.
+#import foam
+#import hash
+
+const FACET: Metres = 0.015;
+const MIRRORING: f32 = 0.15;       // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
+const MANY = vec2f(3e3, 1e4);      // from so many facets on their mean is seen
+const TWINKLE = 16u;               // facets turn away after 2^16 ticks of the clock, 1/16 s
+
+struct Facets {
+    number: f32,
+    chance: f32,           // evenly from 0 to 1: which part of such pixels this one belongs to
+    luck: f32,             // of mean 0 and variance 1
+    turned: f32,           // how far its facets are turned to the eye just now, of mean 1 over time
+}
+
+// Facets of a pixel that shows their mean.
+const MEAN_FACETS = Facets(1e9, 0.0, 0.0, 1.0);
+
+// Facets of a pixel `across` wide whose middle lies at a place of the foam map's plane and sees the water under a sine of `grazing`.
+fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
+    // Squares of the water at rest, as wide as the pixel or half as wide: a power of two of texels of the lace.
+    let wind = wave_cells[0].wind;
+    let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
+    let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
+    let size = clamp(i32(floor(log2(across / frame.foam_levels[0].side))), -8, 8);
+    var square = (frame.lace_texel + vec2i(floor(texels))) >> vec2u(u32(max(size, 0)));
+    if size < 0 {
+        square = (frame.lace_texel << vec2u(u32(-size))) + vec2i(floor(texels * f32(1u << u32(-size))));
+    }
+    // Each square has a clock of its own.
+    let own = hash(vec3u(bitcast<vec2u>(square), bitcast<u32>(size)));
+    let clock = frame.clock + (own & 0xffffu);
+    let found = hash(vec3u(own, clock >> TWINKLE, 0x5eau));
+    let turned = 1.0 - cos(6.283185307179586 * f32(clock & 0xffffu) / 65536.0);
+    let luck = 2.0 * sqrt(3.0) * (f32(found & 0xfffu) / 4095.0 - 0.5);
+    return Facets(max(across * across / (grazing * FACET * FACET), 1.0), f32(found >> 12u) / 1048576.0, luck, turned);
+}
+
+// What the facets mirror, of the mean of facets of which slopes that mirror the sun have this chance.
+fn sparkle(facets: Facets, chance: f32) -> f32 {
+    let lit = max(facets.number * chance * MIRRORING, 1e-6);
+    // Pixels with a facet that mirrors the sun, and how different these are.
+    let some = select(1.0 - exp(-lit), lit - 0.5 * lit * lit, lit < 0.01);
+    let spread = sqrt(max(some * (1.0 + 1.0 / lit) - 1.0, 0.0));
+    let found = select(0.0, (1.0 + spread * facets.luck) / some, facets.chance < some);
+    // Many do not turn away all at once.
+    let turned = mix(1.0, facets.turned, 1.0 / (1.0 + lit));
+    return mix(found * turned, 1.0, smoothstep(log(MANY.x), log(MANY.y), log(facets.number)));
+}

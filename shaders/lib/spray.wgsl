@@ -1,0 +1,41 @@
+// Spray that strong winds tear off crests: white air near the water, thinner with height; src/model/spray.rs has the numbers. Beyond it
+// is the air itself.
+#import light
+
+const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
+const SPRAY_LIGHT = 1.1;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
+const SPRAY_WHITE = 0.5;           // colour of daylight, which drops have; both ours
+
+// Optical depth of the spray between the eye and `distance` along a ray that climbs by `rise` per metre.
+fn spray_depth(rise: f32, distance: Metres) -> f32 {
+    let from_height = max(frame.eye_altitude, 0.0) / frame.spray.y;
+    let to_height = max(from_height + rise * distance / frame.spray.y, 0.0);
+    let climbed = to_height - from_height;
+    let mean = select((exp(-from_height) - exp(-to_height)) / climbed, exp(-from_height), abs(climbed) < 1e-3);
+    return frame.spray.x * distance * mean;
+}
+
+// Optical depth of the spray before the sky; along the horizon as much as an arc of the earth holds.
+fn spray_before_sky(rise: f32) -> f32 {
+    let height = frame.spray.y;
+    let least = sqrt(2.0 * height / (PI * frame.semi_major));
+    return frame.spray.x * height * exp(-max(frame.eye_altitude, 0.0) / height) / max(rise, least);
+}
+
+// Radiance of spray so thick that nothing is seen through it, in the daylight of a place with a vertical `up`.
+fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
+    let level = direction - dot(direction, up) * up;
+    let behind = sky_at_sea(normalize(level + 0.02 * length(level) * up + 1e-6 * up), up);
+    let down = light.sun * max(dot(frame.sun, up), 0.0) + light.sky;
+    let white = dot(behind, LUMINANCE) / max(dot(down, LUMINANCE), 1e-9) * down;
+    return SPRAY_LIGHT * mix(behind, white, SPRAY_WHITE);
+}
+
+// Radiance of a surface in that daylight, through spray and air.
+fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres) -> vec3f {
+    let depth = spray_depth(direction.z, distance);
+    let left = exp(-depth);
+    // What thick spray shows is near.
+    let air = haze(direction, distance * select((1.0 - left) / depth, 1.0, depth < 1e-3));
+    return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + air.radiance;
+}
