@@ -104,7 +104,7 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
         let world = world_texel(slot, here.texel);
         let offset = (vec2f(world - here.texel) + 0.5 - here.fraction) * here.side;
         let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
-        let breaking = clamp((here.threshold - smaller_eigenvalue(p, here.side)) / here.softness, 0.0, 1.0);
+        let breaking = clamp((here.threshold - smaller_eigenvalue(p, here.breaking)) / here.softness, 0.0, 1.0);
         after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
         left &= left - 1u;
         if left == 0u { break; }

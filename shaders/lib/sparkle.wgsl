@@ -5,6 +5,7 @@
 
 const FACET: Metres = 0.015;
 const MIRRORING: f32 = 0.15;       // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
+const FEWEST: f32 = 0.01;          // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
 const MANY = vec2f(3e3, 1e4);      // from so many facets on their mean is seen
 const TWINKLE = 16u;               // facets turn away after 2^16 ticks of the clock, 1/16 s
 
@@ -12,11 +13,12 @@ struct Facets {
     number: f32,
     chance: f32,           // evenly from 0 to 1: which part of such pixels this one belongs to
     luck: f32,             // of mean 0 and variance 1
+    bright: f32,           // how bright a single one is, of mean 1
     turned: f32,           // how far its facets are turned to the eye just now, of mean 1 over time
 }
 
 // Facets of a pixel that shows their mean.
-const MEAN_FACETS = Facets(1e9, 0.0, 0.0, 1.0);
+const MEAN_FACETS = Facets(1e9, 0.0, 0.0, 1.0, 1.0);
 
 // Facets of a pixel `across` wide whose middle lies at a place of the foam map's plane and sees the water under a sine of `grazing`.
 fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
@@ -34,18 +36,20 @@ fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
     let clock = frame.clock + (own & 0xffffu);
     let found = hash(vec3u(own, clock >> TWINKLE, 0x5eau));
     let turned = 1.0 - cos(6.283185307179586 * f32(clock & 0xffffu) / 65536.0);
+    // Exponentially distributed.
+    let bright = -log((f32(hash(vec3u(found, own, 0xb17u)) >> 8u) + 0.5) / 16777216.0);
     let luck = 2.0 * sqrt(3.0) * (f32(found & 0xfffu) / 4095.0 - 0.5);
-    return Facets(max(across * across / (grazing * FACET * FACET), 1.0), f32(found >> 12u) / 1048576.0, luck, turned);
+    return Facets(max(across * across / (grazing * FACET * FACET), 1.0), f32(found >> 12u) / 1048576.0, luck, bright, turned);
 }
 
 // What the facets mirror, of the mean of facets of which slopes that mirror the sun have this chance.
 fn sparkle(facets: Facets, chance: f32) -> f32 {
-    let lit = max(facets.number * chance * MIRRORING, 1e-6);
+    let lit = max(facets.number * chance * MIRRORING, FEWEST);
     // Pixels with a facet that mirrors the sun, and how different these are.
-    let some = select(1.0 - exp(-lit), lit - 0.5 * lit * lit, lit < 0.01);
+    let some = 1.0 - exp(-lit);
     let spread = sqrt(max(some * (1.0 + 1.0 / lit) - 1.0, 0.0));
     let found = select(0.0, (1.0 + spread * facets.luck) / some, facets.chance < some);
     // Many do not turn away all at once.
-    let turned = mix(1.0, facets.turned, 1.0 / (1.0 + lit));
-    return mix(found * turned, 1.0, smoothstep(log(MANY.x), log(MANY.y), log(facets.number)));
+    let own = mix(1.0, facets.bright * facets.turned, 1.0 / (1.0 + lit));
+    return mix(found * own, 1.0, smoothstep(log(MANY.x), log(MANY.y), log(facets.number)));
 }

@@ -46,7 +46,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let mean_glitter = glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
     let glints = sun * mean_glitter.radiance;
     // Where the sky outshines the mean of the facets single ones do not stand out.
-    let standing_out = smoothstep(0.03, 0.4, glints.g / max(reflected.g, 1e-9));
+    let standing_out = smoothstep(0.1, 0.6, glints.g / max(reflected.g, 1e-9));
     let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;

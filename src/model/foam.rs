@@ -36,8 +36,8 @@ pub fn evolve(foam: f64, breaking: f64, dt_s: f64, lifetime_s: f64) -> f64 {
     relaxed(foam, breaking, dt_s, if breaking > foam { GROWTH_S } else { lifetime_s })
 }
 
-/// How long a crest breaks at one place, s, seen in texels `texel_m` metres wide: the shortest waves that a texel holds are as long as a
-/// few texels, and their period goes with the root of their length. The factor is our own: a fraction (0.15 s) of the second
+/// How long a crest breaks at one place, s, seen in parts `texel_m` metres wide: the shortest waves that one holds are as long as a
+/// few of them, and their period goes with the root of their length. The factor is our own: a fraction (0.15 s) of the second
 /// that waves of a metre or two take, for texels of 0.25 m.
 pub fn breaking_s(texel_m: f64) -> f64 {
     0.3 * texel_m.sqrt()

@@ -212,7 +212,7 @@ impl Surface {
 
 /// The foam map's step to an instant: time passes only on levels whose waves fold at all, the others have the wind's share.
 fn step(history: &mut History, frame: &Frame, instant: u64, lifetime_s: f64) -> FoamStep {
-    let mut step = history.step(instant, &frame.foam_eye, lifetime_s);
+    let mut step = history.step(instant, &frame.foam_eye, lifetime_s, &frame.whitecaps.breaking_m);
     for (level, _) in frame.whitecaps.folds.iter().enumerate().filter(|(_, fold)| **fold == Fold::NEVER) {
         step.due &= !(1 << level);
     }

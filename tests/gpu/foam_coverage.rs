@@ -13,7 +13,8 @@ use crate::foam_map::{NOON, Sea, blown, ticks};
 fn coverage(settings: &Settings) -> [f64; LEVELS] {
     let sea = Sea::new(settings);
     let uniform = sea.frame.uniform;
-    // The finest level is smaller than a long wave: it is looked at in four places, laid out by their fractions, the second in two.
+    // The finest levels are smaller than a group of waves, in which whitecaps come: those are looked at in three and four places, laid out
+    // by their fractions.
     let elsewhere = |levels: [usize; 4], first: usize| {
         let mut elsewhere = uniform;
         for (index, own) in elsewhere.foam_levels.iter_mut().enumerate() {
@@ -25,8 +26,8 @@ fn coverage(settings: &Settings) -> [f64; LEVELS] {
         }
         elsewhere
     };
-    let mut maps = [elsewhere([0; 4], 0), elsewhere([1, 1, 2, 3], 4)].map(|uniform| sea.map(&uniform));
-    let levels = [[0; 4], [1, 1, 2, 3]];
+    let levels = [[0; 4], [1, 1, 2, 3], [1, 2, 2, 2]];
+    let mut maps = [0, 1, 2].map(|map| sea.map(&elsewhere(levels[map], 4 * map)));
     let (mut sums, mut counts) = ([0.0; LEVELS], [0.0; LEVELS]);
     // By the steps of a replay of the usual lifetime, which are as long as crests are still met often enough (`foam::ungrown`): two
     // lifetimes coarsely and one finely leave a twentieth of the beginning; then five instants two seconds apart. `foam_history.rs` holds

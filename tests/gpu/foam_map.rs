@@ -97,17 +97,17 @@ impl Sea {
 
     /// Brings a map to an instant whose waves are there.
     pub fn step(&self, map: &mut Map, now: u64, eye: &FoamEye) {
-        let step = map.history.step(now, eye, self.lifetime_s);
+        let step = map.history.step(now, eye, self.lifetime_s, &self.frame.whitecaps.breaking_m);
         self.advance(map, &step);
     }
 
     /// As [`Sea::step`], of a map laid out in these levels: foam grows by the crests of its level.
     pub fn step_as(&self, map: &mut Map, levels: [usize; LEVELS], now: u64, eye: &FoamEye) {
-        let mut step = map.history.step(now, eye, self.lifetime_s);
+        let mut step = map.history.step(now, eye, self.lifetime_s, &self.frame.whitecaps.breaking_m);
         if step.empty == 0 {
             // Every level is due at every step: the time that has passed is what all of them have decayed by.
             let dt_s = -self.lifetime_s * f64::from(step.keep[0]).ln();
-            step.grow = levels.map(|level| foam::ungrown(TEXELS_M[level], dt_s) as f32);
+            step.grow = levels.map(|level| foam::ungrown(self.frame.whitecaps.breaking_m[level], dt_s) as f32);
         }
         self.advance(map, &step);
     }

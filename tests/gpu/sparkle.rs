@@ -75,8 +75,9 @@ fn sparkle_leaves_the_glitter_as_bright_as_it_is() {
         assert!((mean - 1.0).abs() < 0.002 + 4.0 * deviation / count.sqrt(), "{across} m, {chance}: {mean}");
         let facets = f64::from(across * across / 0.2 / (0.015 * 0.015)).max(1.0);
         let lit = facets * f64::from(chance) * 0.15;
-        // Poisson's, while a few facets turn to the eye and away together.
-        let wanted = ((1.0 + 1.0 / lit) * (1.0 + 0.5 / (1.0 + lit).powi(2)) - 1.0).sqrt();
+        // Poisson's, while a few facets turn to the eye and away together: of exponential brightness by 1 - cos, a mean square of 2 by 3/2.
+        let own = 1.0 + 2.0 / (1.0 + lit).powi(2);
+        let wanted = ((1.0 + 1.0 / lit) * own - 1.0).sqrt();
         assert!((deviation / wanted - 1.0).abs() < 0.1, "{across} m, {chance}: {deviation}, not {wanted}");
     }
 }

@@ -329,7 +329,14 @@ fn set_foam(u: &mut FrameUniform, wanted: Foam, camera: &Camera, whitecaps: &Whi
         let (texel, fraction) = eye.texel(level);
         let fold = whitecaps.folds[level];
         let (threshold, softness) = (fold.threshold.max(-1e9) as f32, fold.softness as f32);
-        *slot = FoamLevel { texel, fraction, side: foam::TEXELS_M[level] as f32, threshold, softness, unused: 0 };
+        *slot = FoamLevel {
+            texel,
+            fraction,
+            side: foam::TEXELS_M[level] as f32,
+            threshold,
+            softness,
+            breaking: whitecaps.breaking_m[level] as f32,
+        };
     }
     let shown = whitecaps.share > 1e-6 && camera.altitude_m < foam::HIGHEST_M;
     // The numbers of `shaders/lib/foam.wgsl`: the map, the height, the share alone.

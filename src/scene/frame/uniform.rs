@@ -86,8 +86,8 @@ gpu_struct! {
         threshold: f32 = "f32",
         /// How far below it a texel breaks as a whole.
         softness: f32 = "f32",
-        /// Padding.
-        unused: u32 = "u32",
+        /// Width of what breaks as one, metres: waves shorter than that are left out.
+        breaking: f32 = "f32",
     }
 }
 

@@ -13,7 +13,9 @@
 
 use glam::DVec2;
 
+use crate::model::GRAVITY;
 use crate::model::foam::{self, Fold};
+use crate::model::sea::Sea;
 use crate::model::sea_state;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::BLEND_WIDTH_M;
@@ -25,8 +27,8 @@ pub const LEVELS: usize = 4;
 pub const TEXELS: i32 = 256;
 /// Sides of the texels, metres.
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
-/// How gradually a level breaks, in root mean squares of its eigenvalue.
-pub const SOFTNESS: [f64; LEVELS] = [0.5, 0.7, 1.0, 1.5];
+/// Whitecaps belong to waves of some length and more, of the wind sea's longest: shorter folds are the lace's. Ours, by what photographs show.
+const BREAKING_SHARE: f64 = 0.03;
 /// No foam map from above this altitude, metres: its widest level would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
@@ -38,10 +40,24 @@ pub const SERVED_M: f64 = BLEND_WIDTH_M + 2.0 * 1_300.0;
 pub struct Whitecaps {
     /// Share of the surface that they cover.
     pub share: f64,
+    /// Width of what breaks as one, metres, by level.
+    pub breaking_m: [f64; LEVELS],
     /// Where foam is born, by level.
     pub folds: [Fold; LEVELS],
     /// Height above which foam lies, and above which it covers all, metres; for [`FoamRule::Height`].
     pub heights_m: [f64; 2],
+}
+
+/// Widths of the parts of the water that break as one, metres, of each level: its texels, or more among long waves.
+pub fn breaking_m(sea: &Sea) -> [f64; LEVELS] {
+    let wave_m = sea.grown().map_or(0.0, |grown| std::f64::consts::TAU * GRAVITY / (grown.omega_p * grown.omega_p));
+    TEXELS_M.map(|side| side.max(BREAKING_SHARE * wave_m))
+}
+
+/// How gradually water breaks, in root mean squares of its eigenvalue, seen in parts `breaking_m` wide: more gradually, the more crests
+/// they hold.
+pub fn softness(breaking_m: f64) -> f64 {
+    libm::cbrt(breaking_m / 2.0)
 }
 
 impl Whitecaps {
@@ -53,7 +69,9 @@ impl Whitecaps {
         }
         let (share, lifetime_s) = (whitecaps.share, foam.lifetime_s);
         let (spectrum, chop) = (sea.sea.spectrum(), sea.sea.chop);
-        let folds = foam::folds(&spectrum, &sea.cascades, chop, TEXELS_M, SOFTNESS, share, lifetime_s);
+        let breaking_m = whitecaps.breaking_m;
+        let folds =
+            foam::folds(&spectrum, &sea.cascades, chop, breaking_m, breaking_m.map(softness), share, lifetime_s);
         Self { folds, ..whitecaps }
     }
 
@@ -65,7 +83,12 @@ impl Whitecaps {
             if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
-        Self { share, folds: [Fold::NEVER; LEVELS], heights_m: [from * deviation, (from + 1.0) * deviation] }
+        Self {
+            share,
+            breaking_m: breaking_m(sea),
+            folds: [Fold::NEVER; LEVELS],
+            heights_m: [from * deviation, (from + 1.0) * deviation],
+        }
     }
 }
 

@@ -102,7 +102,8 @@ impl History {
     }
 
     /// The step that brings the map to `ticks` with the eye at `eye`; it counts as made.
-    pub fn step(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64) -> FoamStep {
+    /// `breaking_m` as of [`Whitecaps`](crate::scene::sea::foam::Whitecaps).
+    pub fn step(&mut self, ticks: u64, eye: &FoamEye, lifetime_s: f64, breaking_m: &[f64; LEVELS]) -> FoamStep {
         let last = self.state.unwrap_or(State::empty(ticks, eye));
         let on_the_way = last.replaying && !last.empty;
         let due: [bool; LEVELS] = std::array::from_fn(|level| {
@@ -121,7 +122,7 @@ impl History {
                 [x, y, i32::from(level < last.eye.finest), 0]
             }),
             // The first instant of a replay has no time before it: crests that break then count as white.
-            grow: if last.empty { [0.0; LEVELS] } else { each(&|level| foam::ungrown(TEXELS_M[level], dt_s(level))) },
+            grow: if last.empty { [0.0; LEVELS] } else { each(&|level| foam::ungrown(breaking_m[level], dt_s(level))) },
             keep: each(&|level| (-dt_s(level) / lifetime_s).exp()),
             empty: u32::from(last.empty),
             cells: eye.cells,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::foam::{Fold, POINTS, Simulation};
 use crate::model::sea_tables::SeaTables;
-use crate::scene::sea::foam::{LEVELS, SOFTNESS, TEXELS_M};
+use crate::scene::sea::foam::{LEVELS, breaking_m, softness};
 
 /// Points that are simulated in a frame; the first guess is made from so many. Its thresholds miss the wanted share by a third at most.
 pub const POINTS_A_FRAME: usize = POINTS / 16;
@@ -36,7 +36,8 @@ impl Thresholds {
             return [Fold::NEVER; LEVELS];
         }
         if self.simulated.as_ref().is_none_or(|(of, _)| !of.has_waves_of(sea)) {
-            self.simulated = Some((sea.clone(), Simulation::new(&sea.sea.spectrum(), &sea.cascades, TEXELS_M)));
+            self.simulated =
+                Some((sea.clone(), Simulation::new(&sea.sea.spectrum(), &sea.cascades, breaking_m(&sea.sea))));
             self.wanted = None;
         }
         let wanted = Some([sea.sea.chop, share, lifetime_s]);
@@ -54,7 +55,7 @@ impl Thresholds {
         }
         std::array::from_fn(|level| {
             let found = self.found.get(level).filter(|_| self.found.len() == LEVELS);
-            let guess = || fold(simulation, level, POINTS_A_FRAME, [sea.sea.chop, share, lifetime_s]);
+            let guess = || fold(sea, simulation, level, POINTS_A_FRAME, [sea.sea.chop, share, lifetime_s]);
             *found.unwrap_or_else(|| self.guess[level].get_or_insert_with(guess))
         })
     }
@@ -69,11 +70,11 @@ impl Thresholds {
         if !self.is_busy() {
             return false;
         }
-        let (Some(wanted), Some((_, simulation))) = (self.wanted, &mut self.simulated) else { return false };
+        let (Some(wanted), Some((sea, simulation))) = (self.wanted, &mut self.simulated) else { return false };
         if simulation.points() < POINTS {
             *steps += simulation.advance(POINTS_A_FRAME);
         } else {
-            self.found.push(fold(simulation, self.found.len(), POINTS, wanted));
+            self.found.push(fold(sea, simulation, self.found.len(), POINTS, wanted));
         }
         self.found.len() == LEVELS
     }
@@ -84,6 +85,13 @@ impl Thresholds {
     }
 }
 
-fn fold(simulation: &Simulation<LEVELS>, level: usize, points: usize, [chop, share, lifetime_s]: [f64; 3]) -> Fold {
-    simulation.fold(level, points, chop, SOFTNESS[level], share, lifetime_s)
+fn fold(
+    sea: &SeaTables,
+    simulation: &Simulation<LEVELS>,
+    level: usize,
+    points: usize,
+    [chop, share, lifetime_s]: [f64; 3],
+) -> Fold {
+    let softness = softness(breaking_m(&sea.sea)[level]);
+    simulation.fold(level, points, chop, softness, share, lifetime_s)
 }
