@@ -61,8 +61,8 @@ pub enum Vincenty1975 {}
 /// <https://doi.org/10.1007/s00190-012-0578-z>
 pub enum Karney2013 {}
 
-/// Meeus, J. (1998), *Astronomical Algorithms*, 2nd ed., Willmann-Bell, ISBN 0-943396-61-1: chapter 12 (sidereal time) and
-/// chapter 25 (the sun to 0.01 degrees).
+/// Meeus, J. (1998), *Astronomical Algorithms*, 2nd ed., Willmann-Bell, ISBN 0-943396-61-1: chapter 12 (sidereal time),
+/// chapter 21 (precession), chapter 25 (the sun to 0.01 degrees) and chapter 47 (the moon).
 pub enum Meeus1998 {}
 
 /// Kasten, F. and Young, A. T. (1989), *Revised optical air mass tables and approximation formula*, Appl. Opt. 28, 4735–4738.
@@ -143,6 +143,9 @@ pub enum Donelan1985 {}
 /// Banner, M. L. (1990), *Equilibrium spectra of wind waves*, J. Phys. Oceanogr. 20, 966–984: the spread beyond the peak.
 /// <https://doi.org/10.1175/1520-0485(1990)020%3C0966:ESOWW%3E2.0.CO;2>
 pub enum Banner1990 {}
+
+/// Allen, C. W. (1973), *Astrophysical Quantities*, 3rd ed., Athlone Press, section 66: how bright the moon is by its phase.
+pub enum Allen1973 {}
 
 /// Goda, Y. (2010), *Random Seas and Design of Maritime Structures*, 3rd ed., World Scientific, chapter 2: peaks and spreads of
 /// swells. <https://doi.org/10.1142/7425>

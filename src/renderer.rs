@@ -17,6 +17,7 @@ use crate::pass::rough_table;
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
+use crate::pass::stars::Stars;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
@@ -58,6 +59,8 @@ pub struct Renderer {
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
+    /// Where the radiance's format blends.
+    stars: Option<Stars>,
     globe: Globe,
     land: Land,
     ocean: Ocean,
@@ -106,6 +109,8 @@ impl Renderer {
         let mesh = Mesh::new(&gpu);
         Self {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
+            stars: (radiance == Radiance::Half.format())
+                .then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
@@ -216,6 +221,10 @@ impl Renderer {
             + self.surface.dispatches()
             + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
+        let stars = self.stars.as_ref().filter(|_| frame.shows_stars && frame.has_light() && !kind.under_water);
+        if let Some(stars) = stars {
+            stars.prepare(&self.gpu, frame);
+        }
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -234,6 +243,9 @@ impl Renderer {
             let mut pass = begin(encoder, "globe", &radiance, clear, depth);
             self.globe.draw(&mut pass, kind, frame_group, surface);
             self.sky.draw(&mut pass, kind, frame_group, surface);
+            if let Some(stars) = stars {
+                stars.draw(&mut pass, frame_group, surface);
+            }
         } else {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
@@ -242,6 +254,9 @@ impl Renderer {
             }
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);
+            }
+            if let Some(stars) = stars {
+                stars.draw(&mut pass, frame_group, surface);
             }
             drop(pass);
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));

@@ -16,7 +16,7 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
     let azimuth = acos(clamp(c, -1.0, 1.0)) / PI;
     let size = vec3f(textureDimensions(sky_radiance));
     let x = vec3f(view_coordinate(mu), azimuth, sun_coordinate(mu_sun));
-    return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + NIGHT;
+    return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + night_sky(mu);
 }
 
 // Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky.
@@ -25,7 +25,7 @@ struct Daylight { sun: vec3f, sky: vec3f }
 fn daylight_at(mu_sun: f32) -> Daylight {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
-    let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + NIGHT_IRRADIANCE;
+    let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + frame.night * frame.night_ground * NIGHT_IRRADIANCE;
     return Daylight(sun_irradiance_at(mu_sun), sky);
 }
 

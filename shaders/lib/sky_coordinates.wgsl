@@ -2,9 +2,15 @@
 #import atmosphere
 
 const SUN_COSINE_FROM = -0.3;      // below it the table's sky is night
-// Brighter than any moon, so that the dark side can be made out: radiance of the night sky, irradiance of the ground.
-const NIGHT = vec3f(1.2e-4, 1.7e-4, 3.0e-4);
+// A night without a moon: radiance of the sky, three times that at the horizon, where more of the air that glows is seen; irradiance of
+// the ground, brighter than any moon's, so that the dark side can be made out from space (`night_ground`).
+const NIGHT = vec3f(0.5e-4, 0.7e-4, 1.2e-4);
 const NIGHT_IRRADIANCE = vec3f(0.006, 0.008, 0.012);
+
+fn night_sky(mu: f32) -> vec3f {
+    let low = 1.0 - saturate(mu);
+    return frame.night * NIGHT * (0.7 + 1.4 * low * low * low);
+}
 
 fn sun_coordinate(mu_sun: f32) -> f32 {
     let x = clamp((mu_sun - SUN_COSINE_FROM) / (1.0 - SUN_COSINE_FROM), 0.0, 1.0);

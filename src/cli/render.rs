@@ -175,7 +175,8 @@ pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer
     let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
     let texels = bytes.chunks_exact(16).map(|t| bytemuck::pod_read_unaligned::<[f32; 4]>(t).map(f64::from));
     let sky = |t: &[f64; 4]| t[3] == 0.0;
-    let exposure = f64::from(frame.uniform.exposure);
+    // By moonlight the unit of radiance is the moon's.
+    let exposure = f64::from(frame.uniform.exposure) * f64::from(frame.uniform.night);
     let (channels, values): (usize, Vec<f64>) = match layer {
         LayerName::Radiance => (3, texels.flat_map(|t| [t[0], t[1], t[2]].map(|part| part / exposure)).collect()),
         LayerName::Luminance => {

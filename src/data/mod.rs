@@ -13,6 +13,7 @@ pub mod netcdf;
 pub mod pmtiles;
 mod png_tile;
 pub mod sample;
+pub mod stars;
 pub mod streaming;
 pub mod terrarium;
 pub mod tile;

@@ -16,6 +16,7 @@ pub mod foam;
 pub mod geodesic;
 pub mod lace;
 pub mod lift;
+pub mod moon;
 pub mod moved_water;
 pub mod noise;
 pub mod optics;

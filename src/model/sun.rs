@@ -7,11 +7,11 @@
 use glam::DVec3;
 
 /// Seconds from Unix time's epoch (1970-01-01T00:00) to J2000.0 (2000-01-01T12:00).
-const J2000_UNIX: f64 = 946_728_000.0;
+pub(super) const J2000_UNIX: f64 = 946_728_000.0;
 /// Terrestrial time minus universal time, s: 69.2 in 2020 (IERS), taken constant.
-const DELTA_T: f64 = 69.2;
+pub(super) const DELTA_T: f64 = 69.2;
 /// Julian days per Julian century.
-const CENTURY_DAYS: f64 = 36_525.0;
+pub(super) const CENTURY_DAYS: f64 = 36_525.0;
 
 /// Mean sidereal time at Greenwich, radians in [0, 2π), at Unix time `unix_seconds` (taken as universal time). Meeus (12.4).
 pub fn greenwich_mean_sidereal_time(unix_seconds: f64) -> f64 {

@@ -17,5 +17,6 @@ pub mod rough_table;
 pub mod sky;
 pub mod sky_table;
 pub mod sky_view;
+pub mod stars;
 pub mod tonemap;
 pub mod world_tiles;

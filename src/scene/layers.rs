@@ -11,17 +11,20 @@ pub enum Layer {
     Foam,
     /// The sky.
     Sky,
+    /// The stars.
+    Stars,
     /// The data credits over the picture.
     Credits,
 }
 
 impl Layer {
     /// Every layer with its id in links.
-    pub const ALL: [(Self, &'static str); 5] = [
+    pub const ALL: [(Self, &'static str); 6] = [
         (Self::Land, "land"),
         (Self::Sea, "sea"),
         (Self::Foam, "foam"),
         (Self::Sky, "sky"),
+        (Self::Stars, "stars"),
         (Self::Credits, "credits"),
     ];
 

@@ -267,7 +267,8 @@ fn daylight_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[f64; 2]> {
 
 /// As red, green and blue.
 fn colours_of_the_tables(settings: &Settings, suns: &[f32]) -> Vec<[[f64; 3]; 2]> {
-    let frame = Frame::new(settings, &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64, 64]);
+    // At noon: by night the unit of light would be the moon's.
+    let frame = Frame::new(settings, &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 43_200.0, [64, 64]);
     let [lit, skies] = Air::new(METER, "meter").run(&frame, suns);
     let rgb = |[r, g, b, _]: [f32; 4]| [r, g, b].map(f64::from);
     lit.into_iter().zip(skies).map(|(sun, sky)| [rgb(sun), rgb(sky)]).collect()

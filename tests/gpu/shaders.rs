@@ -13,7 +13,7 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, tonemap,
+    air_table, backdrop, bisect, bloom, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, stars, tonemap,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -38,6 +38,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("perlin.wgsl", perlin::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("sky_view.wgsl", sky_view::source()),
+        ("stars.wgsl", stars::source()),
         ("tonemap.wgsl", tonemap::source(false)),
         ("tonemap.wgsl", tonemap::source(true)),
         ("bloom_down.wgsl", bloom_down),

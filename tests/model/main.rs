@@ -8,6 +8,7 @@ mod foam;
 mod geodesy;
 mod mistakes;
 mod mistakes_surface;
+mod moon;
 mod noise;
 mod optics;
 mod oracle_sea;

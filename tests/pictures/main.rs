@@ -9,6 +9,7 @@ mod horizon;
 mod light;
 mod luminance;
 mod meshes;
+mod night;
 mod relief;
 mod ride;
 mod sheets;

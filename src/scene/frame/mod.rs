@@ -8,7 +8,7 @@ use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::{self, MAX_CELLS};
-use crate::model::{sea_state, spray, sun, waves};
+use crate::model::{moon, sea_state, spray, sun, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::layers::Layer;
 use crate::scene::sea::Seas;
@@ -22,6 +22,7 @@ pub use uniform::{FrameUniform, NEAR_M, Output};
 
 pub mod bisection;
 mod exposure;
+mod night;
 pub mod uniform;
 mod wave_cells;
 
@@ -42,6 +43,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
+    /// Whether stars may show: it is dark at the eye, or it is in space.
+    pub shows_stars: bool,
     /// How much the picture may cost.
     pub quality: Quality,
     /// Where the bisected mesh shall be refined, when it is drawn.
@@ -59,6 +62,10 @@ pub const MIX_FAR_M: f64 = 16_000.0;
 /// Pixels so wide show no lace, metres: 128 texels of its widest rows (`lace_at` of `shaders/lib/lace.wgsl`), of whose variance the tile then
 /// keeps a thirtieth.
 const LACE_BLURRED_M: f32 = 64.0;
+/// Sine of the sun's elevation from which on no star is seen from the ground.
+const STARS_BELOW: f32 = -0.03;
+/// From here on stars are seen by day, metres: where the sky is dark.
+const STARS_ABOVE_M: f32 = 20_000.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -118,6 +125,7 @@ impl Frame {
             foam_eye,
             whitecaps,
             foam_lifetime_s,
+            shows_stars: stars_show(&uniform, settings),
             quality: settings.quality,
             bisection,
             uniform,
@@ -192,6 +200,11 @@ impl Frame {
     fn resolves_waves(&self) -> bool {
         let longest = self.uniform.patches.x.max(self.uniform.perlin_patch);
         self.nearest_sea_m() * self.uniform.pixel_angle < 0.4 * longest
+    }
+
+    /// From equatorial axes of J2000.0 to the frame's east, north and up: where stars stand.
+    pub fn from_j2000(&self) -> DMat3 {
+        earth::ecef_from_enu(self.camera.lat, self.camera.lon).transpose() * moon::ecef_from_j2000(self.unix_seconds)
     }
 
     /// The frame's instant in ticks of the wave clock, see [`crate::model::waves::TICKS_PER_SECOND`].
@@ -276,13 +289,30 @@ fn set_map(u: &mut FrameUniform, camera: &Camera) {
 }
 
 fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64) {
-    let ecef_from_enu = earth::ecef_from_enu(camera.lat, camera.lon);
-    let sun = sun::sun_direction_ecef(unix_seconds);
+    let enu_from_ecef = earth::ecef_from_enu(camera.lat, camera.lon).transpose();
+    let sun = enu_from_ecef * sun::sun_direction_ecef(unix_seconds);
+    let moon = enu_from_ecef * (moon::position_ecef(unix_seconds) - camera.eye_ecef()).normalize();
+    let moonlight = night::moonlight(sun, moon, camera.altitude_m);
     // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
     let steps = f64::from(1 << 13);
-    u.sun = ((ecef_from_enu.transpose() * sun * steps).round() / steps).normalize().as_vec3();
-    u.exposure = exposure(earth::normal(camera.lat, camera.lon).dot(sun), camera.altitude_m) as f32;
+    let light = if moonlight.is_some() { moon } else { sun };
+    u.sun = ((light * steps).round() / steps).normalize().as_vec3();
+    // All radiances are of a light of 1; a picture by moonlight is exposed for so much more.
+    let unit = moonlight.unwrap_or(1.0);
+    u.exposure = (exposure(sun.z, camera.altitude_m) * unit) as f32;
+    u.night = (1.0 / unit) as f32;
+    u.night_ground = night::ground_share(camera.altitude_m) as f32;
+    u.moon = moon.as_vec3();
+    u.moon_radiance = (night::disc_radiance(sun.z, camera.altitude_m) / unit) as f32;
+    u.day = sun.as_vec3();
+    u.by_day = f32::from(u8::from(moonlight.is_none()));
     u.haze = haze as f32;
+}
+
+/// Whether stars are worth drawing.
+fn stars_show(u: &FrameUniform, settings: &Settings) -> bool {
+    let wanted = [Layer::Sky, Layer::Stars].iter().all(|layer| settings.layers.shows(*layer));
+    wanted && (u.day.z < STARS_BELOW || u.eye_altitude > STARS_ABOVE_M)
 }
 
 /// The map of gusts is the Mercator square, turned into the wind and pressed along it: as `shaders/lib/gusts.wgsl`.

@@ -197,14 +197,24 @@ gpu_struct! {
         sparkles: u32 = "u32",
         /// Spray in the air: extinction at the water, per metre, and the height over which it thins out by e, metres.
         spray: Vec2 = "vec2f",
-        /// Padding.
-        unused: [u32; 2] = "vec2u",
+        /// Light of the night over what is drawn with the sun's: more where the unit of light is the moon's.
+        night: f32 = "f32",
+        /// Share of it that falls on the ground of the dark side.
+        night_ground: f32 = "f32",
         /// Cosine and sine of the eye's longitude.
         meridian: Vec2 = "vec2f",
-        /// Unit vector towards the sun.
+        /// Unit vector towards the sun; in a night with a moon, towards the moon.
         sun: Vec3 = "vec3f",
         /// Exposure.
         exposure: f32 = "f32",
+        /// Unit vector towards the moon, as the eye sees it.
+        moon: Vec3 = "vec3f",
+        /// Radiance of a full moon's disc.
+        moon_radiance: f32 = "f32",
+        /// Unit vector towards the sun, also where the moon lights the picture.
+        day: Vec3 = "vec3f",
+        /// 1 where the sun lights the picture, 0 where the moon does.
+        by_day: f32 = "f32",
         /// Pixels.
         viewport: Vec2 = "vec2f",
         /// Radians per pixel at the centre.

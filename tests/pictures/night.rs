@@ -1,0 +1,127 @@
+//! Night: the moon and the stars stand where an ephemeris has them (PyEphem 4.2.1, for 35.6812 N 14.25 W, without refraction), and light
+//! what they should.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::renderer::Radiance;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+const SIZE: [u32; 2] = [320, 180];
+/// Full to 0.998 parts.
+const FULL_MOON: &str = "time=2026-11-24T20:00:00Z";
+const MOON: [f64; 2] = [76.6028, 27.0060];
+const NO_MOON: &str = "time=2026-11-10T03:00:00Z";
+
+/// A view from 3 m over the sea towards an azimuth and an elevation, degrees.
+fn link([azimuth, elevation]: [f64; 2], rest: &str) -> String {
+    format!("#view=35.6812,-14.25,3,{azimuth},{}&bft=3&quality=low&{rest}", 90.0 + elevation)
+}
+
+fn middle() -> [f64; 2] {
+    SIZE.map(|side| f64::from(side) / 2.0)
+}
+
+/// The middle of what is given in weights by pixel.
+fn centroid(weights: &[f64]) -> [f64; 2] {
+    let total: f64 = weights.iter().sum();
+    let width = SIZE[0] as usize;
+    let sum = |part: fn(usize, usize) -> usize| {
+        weights.iter().enumerate().map(|(i, w)| w * (part(i, width) as f64 + 0.5)).sum::<f64>() / total
+    };
+    [sum(|i, width| i % width), sum(|i, width| i / width)]
+}
+
+fn luminance(view: &str) -> Vec<f64> {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    render::measure(&mut renderer, &render::parse_state(view).unwrap(), SIZE, LayerName::Luminance).unwrap().values
+}
+
+#[test]
+fn the_moon_stands_where_it_should_and_its_path_below_it() {
+    let seen = luminance(&link(MOON, FULL_MOON));
+    let brightest = seen.iter().copied().fold(0.0, f64::max);
+    let disc: Vec<f64> = seen.iter().map(|l| if *l > 0.3 * brightest { *l } else { 0.0 }).collect();
+    let [x, y] = centroid(&disc);
+    let [mx, my] = middle();
+    println!("the moon is at {x:.2}, {y:.2}; {brightest:.3}");
+    // A pixel is 0.28 degrees wide, half of the disc.
+    assert!((x - mx).abs() < 0.6 && (y - my).abs() < 0.6, "{x}, {y}");
+    // The water: brightest under the moon, and there far brighter than where no moon is.
+    let path = luminance(&link([MOON[0], -20.0], FULL_MOON));
+    let column = |luminance: &[f64], x: usize| {
+        let from = SIZE[1] as usize / 2;
+        (from..SIZE[1] as usize).map(|y| luminance[y * SIZE[0] as usize + x]).sum::<f64>()
+    };
+    let columns: Vec<f64> = (0..SIZE[0] as usize).map(|x| column(&path, x)).collect();
+    let third = SIZE[0] as usize / 3;
+    let [left, mid, right] = [0, 1, 2].map(|i| columns[i * third..(i + 1) * third].iter().sum::<f64>());
+    println!("water left of the moon, under it and right of it: {left:.4} {mid:.4} {right:.4}");
+    assert!(mid > 3.0 * left && mid > 3.0 * right, "{left} {mid} {right}");
+}
+
+#[test]
+fn moonlight_is_dimmer_than_day_and_brighter_than_a_night_without() {
+    let down = |time: &str| {
+        let seen = luminance(&link([330.0, -20.0], time));
+        seen.iter().sum::<f64>() / seen.len() as f64
+    };
+    let [day, moon, none] = ["time=2026-11-24T12:00:00Z", FULL_MOON, NO_MOON].map(down);
+    println!("sea by day {day:.3e}, by moonlight {moon:.3e}, without {none:.3e}");
+    // The picture's full moon has 0.008 of the sun's light, 0.87 of it six degrees before it is full, a quarter lower than the sun of this
+    // pair; a low light is mirrored as the sky of a low sun is, within a third.
+    let share = (moon - none) / day;
+    assert!((0.004..0.009).contains(&share), "{share}");
+    assert!(none > 0.0, "{none}");
+}
+
+#[test]
+fn sirius_and_canopus_stand_where_they_should() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // Canopus is half a degree over the horizon, in thick air.
+    for (name, at, least) in [("Sirius", [154.98546, 33.73580], 100.0), ("Canopus", [170.32609, 0.50718], 1.0)] {
+        let mut picture = |layers: &str| {
+            let state = render::parse_state(&link(at, &format!("{NO_MOON}{layers}"))).unwrap();
+            render::picture(&mut renderer, &state, SIZE).unwrap()
+        };
+        let [with, without] = [picture(""), picture("&layers=-stars")];
+        let difference: Vec<f64> = with
+            .chunks_exact(4)
+            .zip(without.chunks_exact(4))
+            .map(|(a, b)| (0..3).map(|i| f64::from(a[i]) - f64::from(b[i])).sum::<f64>())
+            .collect();
+        let shown = difference.iter().filter(|d| **d > 9.0).count();
+        let [mx, my] = middle();
+        let near: Vec<f64> = difference
+            .iter()
+            .enumerate()
+            .map(|(i, d)| {
+                let (x, y) = (i % SIZE[0] as usize, i / SIZE[0] as usize);
+                let off = (x as f64 + 0.5 - mx).hypot(y as f64 + 0.5 - my);
+                if off < 8.0 { d.max(0.0) } else { 0.0 }
+            })
+            .collect();
+        let brightest = near.iter().copied().fold(0.0, f64::max);
+        let [x, y] = centroid(&near);
+        println!("{name}: {brightest} at {x:.2}, {y:.2}; {shown} pixels have starlight");
+        assert!(brightest >= least, "{name}: {brightest}");
+        // A pixel is 0.28 degrees, the spot 0.75 pixels wide; aberration is 0.006 degrees.
+        assert!((x - mx).abs() < 0.5 && (y - my).abs() < 0.5, "{name} is at {x}, {y}");
+        assert!(shown > 20, "{shown}");
+    }
+}
+
+#[test]
+fn by_day_no_star_is_seen_but_from_space() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut changed = |view: &str| {
+        let mut picture = |layers: &str| {
+            let state = render::parse_state(&format!("{view}&quality=low{layers}")).unwrap();
+            render::picture(&mut renderer, &state, SIZE).unwrap()
+        };
+        let [with, without] = [picture(""), picture("&layers=-stars")];
+        with.chunks_exact(4).zip(without.chunks_exact(4)).filter(|(a, b)| a != b).count()
+    };
+    assert_eq!(changed("#view=35.6812,-14.25,3,155,100&time=2026-11-10T13:00:00Z"), 0);
+    // High over a lit sea the sky is bright at the horizon and dark above.
+    let space = changed("#view=16,-25,30000000&time=2026-11-20T14:20:00Z");
+    assert!(space > 100, "{space}");
+}
