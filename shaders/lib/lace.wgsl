@@ -24,6 +24,11 @@ const FILM_RAMP: f32 = 0.8;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
 const ROWS = vec2f(0.3, 0.42);
 const NETS = vec3f(0.56, 0.28, 0.16);
+// Thin foam and film are rafts of bubbles with water between, on a net of their own: rafts' share of thin foam, and what is white of a raft
+// in the film.
+const RAFTS: f32 = 0.5;
+const FILM_RAFT: f32 = 0.55;
+const RAFT_EDGE: f32 = 0.3;
 const FOAM_RISE: Metres = 0.035;     // height of thick foam over thin
 
 // The inverse of the normal distribution function, within 4.5e-4 (M. Abramowitz and I. Stegun 1964, 26.2.23).
@@ -70,6 +75,16 @@ struct Lace {
     level: vec2f,
     hidden: vec2f,
     slope: vec2f,          // of the foam's level, per metre, along the wind and across it
+    rafts: vec2f,          // how much more than their mean a pixel shows of the rafts of thin foam and of film
+}
+
+// Share of the film that has bubbles.
+fn film_rafts() -> f32 { return clamp(film_opacity() / FILM_RAFT, 0.2, 0.9); }
+
+// What a pixel shows of rafts that cover a share, over their mean.
+fn rafts(bubbles: Net, share: f32) -> f32 {
+    let above = bubbles.level + normal_quantile(share) * sqrt(1.0 + RAFT_EDGE * RAFT_EDGE);
+    return normal_share(above * inverseSqrt(1.0 - bubbles.kept + RAFT_EDGE * RAFT_EDGE)) / share;
 }
 
 // The lace at a place of the foam map's plane.
@@ -82,6 +97,8 @@ fn lace_at(at: vec2f, footprint: Metres) -> Lace {
     let fine = net(vec2i(2, -1), vec2i(32), texels, footprint);
     let coarse = net(vec2i(2, 1), vec2i(512), texels, footprint);
     let rows = net(vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
+    // And one of 1.57 m, for bubbles.
+    let bubbles = net(vec2i(5, -1), vec2i(32), texels, footprint);
     let levels = vec4f(middle.level, fine.level, coarse.level, rows.level);
     let kept = vec4f(middle.kept, fine.kept, coarse.kept, rows.kept);
     // Squares of the weights, which sum to one.
@@ -90,7 +107,8 @@ fn lace_at(at: vec2f, footprint: Metres) -> Lace {
     let of_film = vec4f((1.0 - parts.y) * NETS, parts.y);
     // Rows have no shape of their own.
     return Lace(vec2f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), levels)), 1.0 - vec2f(dot(of_foam, kept), dot(of_film, kept)),
-        mat3x2f(middle.slope, fine.slope, coarse.slope) * sqrt(of_foam.xyz));
+        mat3x2f(middle.slope, fine.slope, coarse.slope) * sqrt(of_foam.xyz),
+        vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())));
 }
 
 // How far levels lie above those of the water's edge where a share is covered; its edges spread by EDGE_RAMP.
@@ -109,10 +127,15 @@ fn foam_of(share: f32, calmed: f32, seen: Lace) -> Foam {
     let film = film_opacity();
     let deviation = inverseSqrt(seen.hidden.x + THICK_RAMP * THICK_RAMP);
     let rise = (above - THICK_FROM) * deviation;
-    let white = THIN_FOAM * covered(above, seen.hidden.x) + (1.0 - THIN_FOAM - film) * normal_share(rise);
+    // Where it is thick it is closed.
+    let thick = normal_share(rise);
+    let inside = covered(above, seen.hidden.x);
+    let white = THIN_FOAM * mix(seen.rafts.x, 1.0, thick) * inside + (1.0 - THIN_FOAM - film) * thick;
     let threshold = max(normal_quantile(calmed * film_share()), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
-    let faint = film * (0.4 * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
+    // Within thin foam the film lies between the rafts.
+    let between = mix((1.0 - RAFTS * seen.rafts.x) / (1.0 - RAFTS), 1.0, thick);
+    let faint = film * mix(seen.rafts.y, between, inside) * (0.4 * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((filmed - FILM_RAMP) * inverseSqrt(seen.hidden.y + FILM_RAMP * FILM_RAMP)));
     let plume = normal_share((above - 0.5 * seen.level.x - 1.0) * inverseSqrt(0.25 * seen.hidden.x + 1.0));
     // The foam rises where it becomes thick.
@@ -120,9 +143,9 @@ fn foam_of(share: f32, calmed: f32, seen: Lace) -> Foam {
     let axis_x = wave_cells[0].axis_x.xy;
     let axis_y = wave_cells[0].axis_y.xy;
     let tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
-    return Foam(white + faint, max(plume, 2.5 * faint),
+    return Foam(white + faint, max(plume, 2.5 * min(faint, film)),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 
 // Foam in pixels that hide all of the lace.
-fn mean_foam(share: f32, calmed: f32) -> Foam { return foam_of(share, calmed, Lace(vec2f(0.0), vec2f(1.0), vec2f(0.0))); }
+fn mean_foam(share: f32, calmed: f32) -> Foam { return foam_of(share, calmed, Lace(vec2f(0.0), vec2f(1.0), vec2f(0.0), vec2f(1.0))); }
