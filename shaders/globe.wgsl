@@ -62,18 +62,19 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let lit = lit_ground(point, sin_lat, up, ground, ground_across, light);
 
     // Water that is seen, and how much of the pixel it fills.
-    let depth = -ground.elevation;
+    let ocean = ocean_share(ground, ground_across);
+    let depth = ocean_depth(ground, ground_across);
     let grazing = max(abs(dot(direction, up)), 0.002);
     var water = lake_water(direction, up);
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
-    if ground.is_ocean {
+    if ocean > 0.0 {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
         let foam = mean_foam(calmed * share_from_afar(0.0, across / pow(grazing, 0.65)), calmed);
         let footprint = across / sqrt(grazing);
         let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
         water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth,
             water_kind(point, sin_lat, depth), lit.radiance, foam, MEAN_FACETS);
-        water_share = 1.0;
+        water_share = ocean;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);
     // Land fills the pixels whose middles it meets, as its tiles do.

@@ -99,7 +99,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = ground_footprint(distance * frame.pixel_angle, direction, up);
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
-    if ground.is_ocean && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+    if ocean_share(ground, footprint) >= 1.0 && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         // Coarse triangles slope down from a hill to the bed in front of the sea: what stands there is water.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.

@@ -8,6 +8,7 @@
 #import limb
 #import waves
 #import gusts
+#import shore_pixels
 #import water
 #import spray
 #import output
@@ -133,12 +134,14 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !MEASURED && !is_chord { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
     let point = map_point(dn);
     let ground = ground_at(point, sin_lat, max(across, 1.0));
-    if !ground.is_ocean {
+    // Pixels that the shore crosses show sea by its share of them.
+    let share = ocean_share(ground, footprint);
+    if share <= 0.0 {
         discard;
         return vec4f(0.0);
     }
 
-    let depth = -ground.elevation;
+    let depth = ocean_depth(ground, footprint);
     let alpha = water_alpha(depth);
     let slopes = slopes_at(rest, distance, footprint);
     let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
@@ -162,10 +165,13 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let light = daylight_at(dot(frame.sun, up));
+    let bed = behind / max(frame.exposure, 1e-9);
     let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,
         water_kind(point, sin_lat, depth),
-        behind / max(frame.exposure, 1e-9), foam, facets), light);
-    var radiance = through_air(water, light, up, direction, distance);
+        bed, foam, facets), light);
+    // The bed has no air before it yet, land has.
+    var radiance = through_air(mix(bed, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);
+    if !ground.is_ocean { radiance = mix(bed, radiance, share); }
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
         let step = select(limb.beyond, vec2f(0.0), misses);

@@ -1,9 +1,12 @@
 // Dry land, lakes and the sea bed, shaded by height, slope and latitude.
 #import ground_colour
 #import ground_slope
+#import shore_pixels
 #import water
 
 const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+
+const BEACH: Metres = 50.0;     // how wide beaches are
 
 // How wide a pixel is on ground that is seen aslant.
 fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
@@ -25,9 +28,11 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprin
     let sun = light.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, dot(frame.sun, up));
     let ambient = light.sky * (0.6 + 0.4 * dot(normal, up));
     var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
-    if ground.is_ocean { albedo = bed_colour(-ground.elevation); }
+    // Where the shore crosses a pixel its land is what shows of its ground.
+    let is_bed = ocean_share(ground, footprint) >= 1.0;
+    if is_bed { albedo = bed_colour(-ground.elevation); }
     albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
-        * select(1.0, 0.0, ground.is_ocean));
+        * select(saturate(BEACH / footprint), 0.0, is_bed));
     return LitGround(normal, albedo / PI * (sun + ambient));
 }
 

@@ -1,6 +1,6 @@
-//! Crests against the sky have smooth edges, where the quality asks for them.
+//! Crests against the sky have smooth edges, where the quality asks for them; shores always.
 
-use ocean_globe::cli::render;
+use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::Output;
 
@@ -34,4 +34,36 @@ fn crests_end_in_pixels_between_sky_and_sea() {
     // Of four samples at four heights one to three lie under an edge in three of four places; some of these the curve of the display and
     // the light of the crests themselves take out of what counts here.
     assert!(high > 0.35 && medium < 0.1, "{medium} {high}");
+}
+
+#[test]
+fn shores_from_space_end_in_pixels_between_sea_and_land() {
+    // Sahara and Namibia: bright land beside dark water.
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let (mut edges, mut between) = (0, 0);
+    for view in ["22,-14,2000000", "-20,14,2500000"] {
+        let state = render::parse_state(&format!("#view={view}&time=2026-11-20T12:30:00Z&quality=low")).unwrap();
+        let size = [240, 180];
+        let mut layer = |layer| render::measure(&mut renderer, &state, size, layer).unwrap().values;
+        let (class, radiance) = (layer(LayerName::Class), layer(LayerName::Radiance));
+        // Red over blue tells land from sea by far.
+        let hue: Vec<f64> = radiance.chunks_exact(3).map(|rgb| rgb[0] / rgb[2]).collect();
+        for row in 0..size[1] as usize {
+            for x in 4..size[0] as usize - 4 {
+                let at = |x: usize| row * size[0] as usize + x;
+                let all = |from: usize, class_is: f64| (from..from + 4).all(|x| class[at(x)] == class_is);
+                if !(all(x - 3, 1.0) && all(x + 1, 0.0)) {
+                    continue;
+                }
+                let [sea, land] = [hue[at(x - 2)], hue[at(x + 3)]];
+                let is_between = |x: usize| (0.15..0.85).contains(&((hue[at(x)] - sea) / (land - sea)));
+                edges += 1;
+                between += usize::from(is_between(x) || is_between(x + 1));
+            }
+        }
+    }
+    let share = f64::from(between as u32) / f64::from(edges);
+    println!("{edges} shores, {share:.3} of them in a pixel between");
+    // A shore crosses a pixel anywhere: of 0.7 of them the share of land lies between those two.
+    assert!(edges > 100 && share > 0.5, "{share} of {edges}");
 }
