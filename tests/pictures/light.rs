@@ -115,6 +115,47 @@ fn the_sea_mirrors_the_sky_as_rough_water_does() {
 }
 
 #[test]
+fn the_horizon_is_a_step_that_grows_with_the_wind() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let found = [3, 7, 12].map(|wind| {
+        let mut at = |tilt: f64, size: [u32; 2]| {
+            let link =
+                format!("#view=0,-30,15,0,{tilt}&wind={wind}@90&time=2026-03-20T17:27:30Z&layers=-foam&water=open");
+            let state = render::parse_state(&link).unwrap();
+            let values = render::measure(&mut renderer, &state, size, LayerName::Luminance).unwrap().values;
+            let middle = (size[1] / 2 * size[0]) as usize;
+            values[middle..middle + size[0] as usize].iter().sum::<f64>() / f64::from(size[0])
+        };
+        at(89.0, [240, 135]) / at(91.0, [9, 9])
+    });
+    // Of spectral models, sea over sky at one degree, and the haze of the 860 m between: 0.933 of it is left, and 0.067 of the sky's added.
+    for ((found, wanted), wind) in found.iter().zip([0.47, 0.36, 0.30]).zip([3, 7, 12]) {
+        let wanted = 0.933 * wanted + 0.067;
+        println!("{wind} m/s: {found:.3} of {wanted:.3}");
+        assert!((found / wanted - 1.0).abs() < 0.25, "{wind} m/s: {found}, not {wanted}");
+    }
+    assert!(found[0] > found[1] && found[1] > found[2], "{found:?}");
+}
+
+#[test]
+fn dense_foam_outshines_the_sea_and_the_sky_at_the_horizon() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let dark = luminance(sea(&mut renderer, 45.0));
+    let sky = luminance(seen(&mut renderer, "0,-30,10,0,91"));
+    // The brightest thousandth of a sea full of whitecaps, too calm for spray, without sparkles.
+    let link = "#view=0,-30,15,0,45&wind=14@90&foam=3&quality=low&time=2026-03-20T17:27:30Z&water=open";
+    let state = render::parse_state(link).unwrap();
+    let mut values = render::measure(&mut renderer, &state, [320, 180], LayerName::Luminance).unwrap().values;
+    values.sort_by(f64::total_cmp);
+    let dense = values[values.len() * 999 / 1000];
+    println!("dense foam {:.1} times the sea, {:.2} times the sky at the horizon", dense / dark, dense / sky);
+    // 63 and 2.5 for level foam of the albedo 0.55. Foam that leans by 15 degrees towards the sun or away from it is a quarter brighter or
+    // darker, and this is the brightest.
+    assert!((63.0 * 0.8..63.0 * 1.35).contains(&(dense / dark)), "{}", dense / dark);
+    assert!((2.5 * 0.8..2.5 * 1.35).contains(&(dense / sky)), "{}", dense / sky);
+}
+
+#[test]
 fn the_ocean_from_space_is_as_bright_as_it_is() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // Straight down, far from the glint.
