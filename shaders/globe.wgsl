@@ -73,7 +73,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let footprint = across / sqrt(grazing);
         let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
         water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth,
-            water_kind(point, sin_lat, depth), lit.radiance, foam, MEAN_FACETS);
+            water_kind(point, sin_lat, depth), lit.radiance, foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);

@@ -41,7 +41,7 @@ const LAKE_KIND = 2.5;             // of the water of lakes
 // A calm, deep lake.
 fn lake_water(direction: vec3f, up: vec3f) -> WaterPoint {
     return WaterPoint(-direction, up, up, east_at(up), vec2f(0.002), 1.0, 20.0, LAKE_KIND, vec3f(0.0), flat_foam(0.0, 0.0),
-        MEAN_FACETS);
+        MEAN_FACETS, vec3f(0.0));
 }
 
 // How much of a pixel of a lake is water.

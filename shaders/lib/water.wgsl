@@ -28,6 +28,7 @@ struct WaterPoint {
     bed: vec3f,            // radiance of what lies under the water
     foam: Foam,
     facets: Facets,
+    glow: vec3f,           // radiance through crests, below the surface
 }
 
 // `light`: the daylight at the point.
@@ -51,7 +52,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-2.0 * attenuation(w.kind) * w.depth);
-    let through = mix(bed, body, w.alpha) * (1.0 - reflectance);
+    let through = (mix(bed, body, w.alpha) + w.glow) * (1.0 - reflectance);
     return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
 }
 

@@ -22,6 +22,7 @@ mod slope_moments;
 mod sparkle;
 mod spray;
 mod surface_sample;
+mod translucence;
 mod water;
 mod wave_anchors;
 mod wave_domain;
