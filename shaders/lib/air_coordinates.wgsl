@@ -1,7 +1,7 @@
 // Coordinates of the tables of the air that the eye sees (sky_view.wgsl), of directions about the eye, wherever it looks:
 //
-// - azimuth: sine of half the angle from the sun's, on one side; the other is its mirror image, but for the
-//   ellipsoid's flattening;
+// - azimuth: angle from the sun's, on one side, to the power of 2/3, so that the glow about the sun has no creases; the other side is its
+//   mirror image, but for the ellipsoid's flattening;
 // - elevation: from the horizon up, or down to the nadir; the square root makes rows densest at the horizon, which is the
 //   limb from space. Halves of angles take sines, which f32 holds where cosines are near -1;
 // - distance: between the ray's entry into the air and where the deepest trough or the highest summit may be met.
@@ -34,14 +34,14 @@ struct Bearing { mu: f32, azimuth: f32 }
 
 fn bearing_of(direction: vec3f, axes: mat3x3f) -> Bearing {
     let p = direction * axes;
-    return Bearing(p.x, sqrt(clamp(0.5 - 0.5 * p.y / max(length(p.yz), 1e-9), 0.0, 1.0)));
+    let away = acos(clamp(p.y / max(length(p.yz), 1e-9), -1.0, 1.0)) / PI;
+    return Bearing(p.x, pow(away, 2.0 / 3.0));
 }
 
 fn direction_of(bearing: Bearing, axes: mat3x3f) -> vec3f {
-    let sine = bearing.azimuth;
-    let across = 2.0 * sine * sqrt(max(1.0 - sine * sine, 0.0));
+    let away = PI * bearing.azimuth * sqrt(bearing.azimuth);
     let flat = sqrt(max(1.0 - bearing.mu * bearing.mu, 0.0));
-    return normalize(axes * vec3f(bearing.mu, flat * (1.0 - 2.0 * sine * sine), flat * across));
+    return normalize(axes * vec3f(bearing.mu, flat * cos(away), flat * sin(away)));
 }
 
 // Zenith cosine at which a ray of this direction would touch the shell `lift` metres above the ellipsoid; 1 from inside it.
