@@ -221,8 +221,8 @@ impl Renderer {
             + self.surface.dispatches()
             + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
-        let stars = self.stars.as_ref().filter(|_| frame.shows_stars && frame.has_light() && !kind.under_water);
-        if let Some(stars) = stars {
+        let mut stars = self.stars.as_mut().filter(|_| frame.shows_stars && frame.has_light() && !kind.under_water);
+        if let Some(stars) = &mut stars {
             stars.prepare(&self.gpu, frame);
         }
 
