@@ -57,7 +57,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let point = map_point(dn);
     let across = distance * frame.pixel_angle;
     let ground = ground_at(point, sin_lat, max(across, 1.0));
-    let light = daylight_at(dot(frame.sun, up));
+    let light = daylight_at(dot(frame.light, up));
     let ground_across = ground_footprint(across, direction, up);
     let lit = lit_ground(point, sin_lat, up, ground, ground_across, light);
 

@@ -108,7 +108,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         }
     }
 
-    let light = daylight_at(dot(frame.sun, up));
+    let light = daylight_at(dot(frame.light, up));
     let lit = lit_ground(at.point, at.sin_lat, up, ground, footprint, light);
     var radiance = lit.radiance;
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction, up), light), lake_share(ground, footprint)); }

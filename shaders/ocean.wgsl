@@ -1,12 +1,9 @@
-// The sea: either mesh, moved by the waves along the ellipsoid's normal, shaded over what the land pass left. The water class
+// The sea: either mesh (lib/sea_mesh.wgsl), shaded over what the land pass left. The water class
 // decides what is sea, never the depth buffer. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs; what of the sea shows at all
 // is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share.
-#import projected_grid
-#import bisected_mesh
-#import world
+#import sea_mesh
 #import lace
 #import limb
-#import waves
 #import gusts
 #import shore_pixels
 #import water
@@ -18,9 +15,7 @@
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
-const STEP_BEYOND: Metres = 2.0;
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
-const LIFT_PIXELS = 2.0;       // half a pixel, and the chords of edges some pixels long
 
 struct Vertex {
     @builtin(position) position: vec4f,
@@ -30,76 +25,15 @@ struct Vertex {
     @location(3) ahead: vec2f,         // the way to the water beyond, level, and how much higher that is; see `crest_light`
 }
 
-// A vertex before and after the waves have moved it.
-struct Place { rest: vec3f, moved: vec3f, height: f32, allowed: f32 }
-
-// `spacing` is how far apart the mesh's vertices are.
-fn placed(rest: vec3f, spacing: Metres) -> Place {
-    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
-    let distance = length(rest);
-    var moved = vec3f(0.0);
-    var allowed = 0.0;
-    if frame.wave_height > 0.0 && !waves_are_pixels(distance) {
-        let displacement = displacement_at(rest, distance, spacing);
-        let point = map_point(up - vec3f(0.0, 0.0, 1.0));
-        let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
-        // Shallow water holds no higher waves.
-        allowed = clamp(-ground.elevation * HELD_BY_DEPTH / frame.wave_height, 0.0, 1.0);
-        moved = allowed * displacement;
-    }
-    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed);
-}
-
-// The bisected mesh ends at the limb, and its chords before: beyond the waves it is lifted by pixels, and the fragments' own rays decide.
-fn lifted(place: Place) -> Place {
-    let distance = length(place.rest);
-    let share = smoothstep(1.0, 2.0, distance * frame.pixel_angle / (4.0 * frame.crest_height));
-    if share <= 0.0 || frame.under_water == 1u { return place; }
-    let up = normal_delta(place.rest) + vec3f(0.0, 0.0, 1.0);
-    return Place(place.rest, place.moved + LIFT_PIXELS * share * distance * frame.pixel_angle * up, place.height, place.allowed);
-}
-
-// The water a step beyond a vertex, as the eye sees it: level way, and how much higher.
-fn beyond(place: Place, spacing: Metres) -> vec2f {
-    if !WAVES || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
-    let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
-    let rest = place.rest + STEP_BEYOND * level;
-    let there = place.allowed * displacement_at(rest, length(rest), spacing);
-    let here = place.moved - place.rest;
-    return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);
-}
-
-fn vertex_at(place: Place, spacing: Metres) -> Vertex {
-    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place, spacing));
+fn vertex_at(place: Place) -> Vertex {
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place));
 }
 
 @vertex
-fn vertex_of_grid(@location(0) grid: vec2f) -> Vertex {
-    let rest = rest_position(grid);
-    let distance = length(rest);
-    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
-    let spacing = distance * frame.pixel_angle * frame.cell_pixels / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
-    return vertex_at(placed(rest, spacing), spacing);
-}
+fn vertex_of_grid(@location(0) grid: vec2f) -> Vertex { return vertex_at(place_on_grid(grid)); }
 
-// A corner that halves an edge begins in the edge's middle and takes its own place while the edge grows on the screen.
 @vertex
-fn vertex_of_bisection(@builtin(vertex_index) index: u32) -> Vertex {
-    let corner = drawn_corner(index);
-    let rest = rest_of(corner);
-    let spacing = wished_length(rest);
-    let own = placed(rest, spacing);
-    let edge = parents(corner);
-    if !edge.exists { return vertex_at(lifted(own), spacing); }
-    let grown = grown_share(edge);
-    if grown >= 1.0 { return vertex_at(lifted(own), spacing); }
-    let first = rest_of(edge.first);
-    let second = rest_of(edge.second);
-    let a = placed(first, wished_length(first));
-    let b = placed(second, wished_length(second));
-    return vertex_at(lifted(Place(mix(0.5 * (a.rest + b.rest), own.rest, grown), mix(0.5 * (a.moved + b.moved), own.moved, grown),
-        mix(0.5 * (a.height + b.height), own.height, grown), own.allowed)), spacing);
-}
+fn vertex_of_bisection(@builtin(vertex_index) index: u32) -> Vertex { return vertex_at(place_of_bisection(index)); }
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
@@ -180,7 +114,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
     }
     let behind = textureLoad(scene_colour, pixel, 0).rgb;
-    let light = daylight_at(dot(frame.sun, up));
+    let light = daylight_at(dot(frame.light, up));
     let bed = behind / max(frame.exposure, 1e-9);
     let kind = water_kind(point, sin_lat, depth);
     var glow = vec3f(0.0);

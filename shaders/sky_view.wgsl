@@ -24,7 +24,7 @@ fn table_direction(azimuth: f32, row: f32, below: bool, lift: Metres) -> vec3f {
 }
 
 fn sight_of(direction: vec3f) -> Sight {
-    return sight_along(eye_ray(direction), direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
+    return sight_along(eye_ray(direction), direction, frame.quadric_gradient, quadric_times(direction), frame.light);
 }
 
 @compute @workgroup_size(8, 8)

@@ -1,13 +1,8 @@
 // Stars as points of light over a dark sky: each a small triangle with a round spot in it.
 #import light
 
-struct Stars {
-    from_j2000: mat3x3f,       // equatorial axes to east, north, up
-    brightness: f32,           // of a star of magnitude 0, as the display's tone takes it, whatever the exposure
-}
-
-@group(2) @binding(0) var<uniform> stars: Stars;
-
+// Of a star of magnitude 0, as the display's tone takes it, whatever the exposure: those of magnitude 6 are just seen on black.
+const BRIGHTNESS: f32 = 6.0;
 const SPOT: f32 = 0.75;        // standard deviation of a spot, pixels
 const REACH: f32 = 3.0;        // of the spots, pixels
 // A sky so bright, as the display's tone takes it, hides e-fold of a star.
@@ -25,13 +20,14 @@ fn star_colour(index: f32) -> vec3f {
     return vec3f(1.0 + 0.25 * warm, 1.0, 1.15 - 0.35 * warm);
 }
 
+// `star`: direction and magnitude.
 @vertex
 fn vertex(@builtin(vertex_index) corner: u32, @location(0) star: vec4f, @location(1) colour_index: f32) -> Spot {
-    let direction = stars.from_j2000 * star.xyz;
+    let direction = star.xyz;
     let clip = frame.clip_from_local * vec4f(direction, 0.0);
     let offset = array(vec2f(0.0, 2.0), vec2f(-1.7321, -1.0), vec2f(1.7321, -1.0))[corner] * REACH;
     let sky = dot(sky_seen(direction) + night_sky(direction.z), vec3f(0.2126, 0.7152, 0.0722)) * frame.exposure / HIDING;
-    let light = stars.brightness * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
+    let light = BRIGHTNESS * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
     // Behind the earth, behind the eye, or not to be seen: nowhere.
     if surface_hit(eye_ray(direction)) >= 0.0 || clip.w <= 0.0 || light.g < 0.001 { return Spot(vec4f(2.0, 2.0, 0.0, 1.0), vec3f(0.0), vec2f(0.0)); }
     let place = clip.xy / clip.w + 2.0 * offset / frame.viewport;

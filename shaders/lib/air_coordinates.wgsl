@@ -23,7 +23,7 @@ fn eye_sink() -> f32 { return 1.0 - exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH
 // Vertical at the eye, horizontal towards the sun, horizontal across.
 fn air_axes() -> mat3x3f {
     let up = normalize(frame.quadric_gradient);
-    let flat = frame.sun - dot(frame.sun, up) * up;
+    let flat = frame.light - dot(frame.light, up) * up;
     // A sun in the zenith lights all azimuths alike.
     let sunward = normalize(flat + select(vec3f(0.0), cross(up, vec3f(0.0, 1.0, 0.0)), dot(flat, flat) < 1e-12));
     return mat3x3f(up, sunward, cross(up, sunward));

@@ -25,7 +25,7 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprin
     let slope = ground_slope(point, sin_lat, ground, footprint);
     // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
     let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
-    let sun = light.sun * max(dot(frame.sun, normal), 0.0) * smoothstep(-0.02, 0.03, dot(frame.sun, up));
+    let sun = light.sun * max(dot(frame.light, normal), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
     let ambient = light.sky * (0.6 + 0.4 * dot(normal, up));
     var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
     // Where the shore crosses a pixel its land is what shows of its ground.

@@ -9,9 +9,9 @@
 // Sky radiance at sea level towards `direction`, where `up` is the local vertical.
 fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
     let mu = dot(direction, up);
-    let mu_sun = dot(frame.sun, up);
+    let mu_sun = dot(frame.light, up);
     let flat_view = direction - mu * up;
-    let flat_sun = frame.sun - mu_sun * up;
+    let flat_sun = frame.light - mu_sun * up;
     let c = dot(flat_view, flat_sun) / max(length(flat_view) * length(flat_sun), 1e-6);
     let azimuth = acos(clamp(c, -1.0, 1.0)) / PI;
     let size = vec3f(textureDimensions(sky_radiance));

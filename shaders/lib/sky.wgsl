@@ -13,13 +13,13 @@ fn moon_disc(direction: vec3f) -> vec3f {
     if r > 1.2 || dot(direction, frame.moon) < 0.0 { return vec3f(0.0); }
     let blur = max(frame.pixel_angle / MOON_RADIUS, 0.02);
     let normal = off / MOON_RADIUS - sqrt(max(1.0 - r * r, 0.0)) * frame.moon;
-    let lit = sqrt(smoothstep(-0.5 * blur, 1.0, dot(normalize(normal), frame.day)));
+    let lit = sqrt(smoothstep(-0.5 * blur, 1.0, dot(normalize(normal), frame.sun)));
     return vec3f(1.06, 1.0, 0.9) * frame.moon_radiance * lit * smoothstep(1.0 + 0.5 * blur, 1.0 - 0.5 * blur, r) * beam_seen(direction);
 }
 
 fn sky_light(direction: vec3f) -> vec3f {
     // The disc, 0.267 degrees in radius, darkened towards its limb.
-    let away = acos(clamp(dot(direction, frame.sun), -1.0, 1.0)) / 0.00465;
+    let away = acos(clamp(dot(direction, frame.light), -1.0, 1.0)) / 0.00465;
     let disc = smoothstep(1.15, 0.85, away) * (1.0 - 0.5 * away * away * step(away, 1.0));
     let above = step(surface_hit(eye_ray(direction)), 0.0);
     var sun = vec3f(0.0);
@@ -29,6 +29,6 @@ fn sky_light(direction: vec3f) -> vec3f {
     let night = night_sky(direction.z) * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT);
     let moon = above * moon_disc(direction);
     let up = vec3f(0.0, 0.0, 1.0);
-    let spray = spray_light(daylight_at(frame.sun.z), up, direction);
+    let spray = spray_light(daylight_at(frame.light.z), up, direction);
     return mix(spray, sky_seen(direction) + sun + moon + night, exp(-spray_before_sky(direction.z)));
 }

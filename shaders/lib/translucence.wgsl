@@ -35,13 +35,13 @@ fn crest_light(direction: vec3f, normal: vec3f, up: vec3f, ahead: vec2f, kind: f
     let way = -begins / (bend * flat);
     let over = -begins * begins / (6.0 * bend);
 
-    let to_sun = -into_water(-frame.sun, up);
+    let to_sun = -into_water(-frame.light, up);
     let mu = dot(to_sun, up);
     let lost = attenuation(kind);
     let crest = forward_phase(dot(to_sun, inside)) * exp(-lost * over / mu) * (vec3f(1.0) - exp(-lost * way)) / lost;
     // What the same sight of level water holds already.
     let below = into_water(direction, up);
-    let even = forward_phase(dot(to_sun, below)) / (lost * (1.0 - dot(below, up) / mu)) * max(dot(frame.sun, up), 0.0) / mu;
+    let even = forward_phase(dot(to_sun, below)) / (lost * (1.0 - dot(below, up) / mu)) * max(dot(frame.light, up), 0.0) / mu;
     let scattered = SCATTERED + SCATTERED_BY_PLUMES * plume;
     return sun * ENTERING * scattered / (WATER_INDEX * WATER_INDEX) * max(crest - even, vec3f(0.0));
 }

@@ -33,7 +33,7 @@ struct WaterPoint {
 
 // `light`: the daylight at the point.
 fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
-    let mu_sun = dot(frame.sun, w.up);
+    let mu_sun = dot(frame.light, w.up);
     let sun = light.sun;
     let ambient = light.sky;
     let cos_view = dot(w.normal, w.to_eye);
@@ -44,7 +44,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     let reflected = sky_at_sea(mirrored, w.up) * reflectance;
-    let mean_glitter = glitter(w.to_eye, frame.sun, w.normal, w.up, w.along, w.rough);
+    let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = sun * mean_glitter.radiance;
     // Where the sky outshines the mean of the facets single ones do not stand out.
     let standing_out = smoothstep(0.1, 0.6, glints.g / max(reflected.g, 1e-9));
@@ -53,7 +53,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let bed = w.bed * exp(-2.0 * attenuation(w.kind) * w.depth);
     let through = (mix(bed, body, w.alpha) + w.glow) * (1.0 - reflectance);
-    return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.sun, sun, ambient), w.foam.white);
+    return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }
 
 // The water about an eye in it, as of the open ocean.
@@ -61,7 +61,7 @@ fn eye_kind() -> f32 { return clamp(1.0, frame.water_kinds.x, frame.water_kinds.
 
 // Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.
 fn water_veil() -> vec3f {
-    let mu_sun = frame.sun.z;
+    let mu_sun = frame.light.z;
     let light = daylight_at(mu_sun);
     let down = light.sun * max(mu_sun, 0.0) + light.sky;
     return 1.5 * deep_reflectance(eye_kind()) / PI * down * exp(attenuation(eye_kind()) * frame.eye_altitude);
@@ -77,6 +77,6 @@ fn window_radiance(direction: vec3f, normal: vec3f, up: vec3f) -> vec3f {
     let escaping = dot(out, out) > 0.5;
     let reflectance = select(1.0, fresnel_water(abs(dot(out, normal))), escaping);
     let sky = sky_at_sea(normalize(out + 1e-6 * up), up)
-        + sun_irradiance_at(dot(frame.sun, up)) * 300.0 * smoothstep(0.9985, 0.9998, dot(out, frame.sun));
+        + sun_irradiance_at(dot(frame.light, up)) * 300.0 * smoothstep(0.9985, 0.9998, dot(out, frame.light));
     return mix(sky, water_veil(), reflectance);
 }

@@ -6,9 +6,6 @@ use glam::{DMat3, DVec3};
 
 use super::sun::{CENTURY_DAYS, DELTA_T, J2000_UNIX, greenwich_mean_sidereal_time};
 
-/// The moon's mean radius, m.
-pub const RADIUS_M: f64 = 1_737_400.0;
-
 /// Terms of longitude (10⁻⁶ degrees) and distance (m): multiples of D, M, M′ and F, then the coefficients.
 const LONGITUDE_DISTANCE: [([i8; 4], f64, f64); 26] = [
     ([0, 0, 1, 0], 6_288_774.0, -20_905_355.0),

@@ -22,12 +22,12 @@ pub fn source() -> String {
     shader::composed(include_str!("../../shaders/sky_view.wgsl"), "")
 }
 
-/// What the tables depend on: the ellipsoid about the eye, the sun, how deep troughs are, and the haze.
+/// What the tables depend on: the ellipsoid about the eye, what lights it, how deep troughs are, and the haze.
 #[derive(Clone, Copy, PartialEq)]
 struct Made {
     quadric: [glam::Vec3; 3],
     heights: [f32; 3],
-    sun: glam::Vec3,
+    light: glam::Vec3,
     haze: f32,
 }
 
@@ -37,7 +37,7 @@ impl Made {
             quadric: [u.quadric_diagonal, u.quadric_mixed, u.quadric_gradient],
             heights: [u.quadric_constant, u.eye_altitude, u.crest_height],
             haze: u.haze,
-            sun: u.sun,
+            light: u.light,
         }
     }
 }

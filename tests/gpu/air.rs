@@ -34,7 +34,7 @@ fn compare(@builtin(global_invocation_id) id: vec3u) {
     let air = shell_hits(ray, TOP);
     var wanted = NOTHING_MET;
     if air.y > max(air.x, 0.0) {
-        let sight = sight_along(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.sun);
+        let sight = sight_along(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.light);
         let sink = eye_sink() * select(1.0, 0.5, distance > 1e8);
         wanted = scatter(sight, max(air.x, 0.0), min(air.y, distance), 256u, sink);
     }
@@ -331,7 +331,7 @@ fn a_level_path_over_the_sea_is_as_hazy_as_an_oceans_air() {
         1_774_027_650.0,
         [640, 360],
     );
-    let sun = frame.uniform.sun;
+    let sun = frame.uniform.light;
     assert!((sun.z.asin().to_degrees() - 40.0).abs() < 0.3, "{sun}");
     let across = glam::Vec3::new(-sun.y, sun.x, 0.0).normalize().to_array();
     let luminance = |[r, g, b, _]: [f32; 4]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);

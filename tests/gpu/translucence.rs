@@ -58,7 +58,7 @@ fn glow(unix_seconds: f64, asked: &[Asked]) -> (Vec<[f64; 3]>, DVec3) {
         [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), gpu.bind("unused", &layouts[1], &[])];
     let kernel = Kernel::<1>::new(&gpu, &shader::composed(KERNEL, ""), "glow", &layouts.each_ref());
     let [found] = kernel.run::<_, [f32; 4]>(&gpu, &groups.each_ref(), asked);
-    (found.into_iter().map(|[r, g, b, _]| [r, g, b].map(f64::from)).collect(), frame.uniform.sun.as_dvec3())
+    (found.into_iter().map(|[r, g, b, _]| [r, g, b].map(f64::from)).collect(), frame.uniform.light.as_dvec3())
 }
 
 fn into_water(direction: DVec3, normal: DVec3) -> DVec3 {

@@ -296,7 +296,7 @@ fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64
     // To 0.007 degrees: what is tabulated for a sun lasts for a second and more of a running clock.
     let steps = f64::from(1 << 13);
     let light = if moonlight.is_some() { moon } else { sun };
-    u.sun = ((light * steps).round() / steps).normalize().as_vec3();
+    u.light = ((light * steps).round() / steps).normalize().as_vec3();
     // All radiances are of a light of 1; a picture by moonlight is exposed for so much more.
     let unit = moonlight.unwrap_or(1.0);
     u.exposure = (exposure(sun.z, camera.altitude_m) * unit) as f32;
@@ -304,7 +304,7 @@ fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64
     u.night_ground = night::ground_share(camera.altitude_m) as f32;
     u.moon = moon.as_vec3();
     u.moon_radiance = (night::disc_radiance(sun.z, camera.altitude_m) / unit) as f32;
-    u.day = sun.as_vec3();
+    u.sun = sun.as_vec3();
     u.by_day = f32::from(u8::from(moonlight.is_none()));
     u.haze = haze as f32;
 }
@@ -312,7 +312,7 @@ fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64
 /// Whether stars are worth drawing.
 fn stars_show(u: &FrameUniform, settings: &Settings) -> bool {
     let wanted = [Layer::Sky, Layer::Stars].iter().all(|layer| settings.layers.shows(*layer));
-    wanted && (u.day.z < STARS_BELOW || u.eye_altitude > STARS_ABOVE_M)
+    wanted && (u.sun.z < STARS_BELOW || u.eye_altitude > STARS_ABOVE_M)
 }
 
 /// The map of gusts is the Mercator square, turned into the wind and pressed along it: as `shaders/lib/gusts.wgsl`.

@@ -203,16 +203,16 @@ gpu_struct! {
         night_ground: f32 = "f32",
         /// Cosine and sine of the eye's longitude.
         meridian: Vec2 = "vec2f",
-        /// Unit vector towards the sun; in a night with a moon, towards the moon.
-        sun: Vec3 = "vec3f",
+        /// Unit vector towards what lights the picture: the sun, or in its night the moon.
+        light: Vec3 = "vec3f",
         /// Exposure.
         exposure: f32 = "f32",
         /// Unit vector towards the moon, as the eye sees it.
         moon: Vec3 = "vec3f",
         /// Radiance of a full moon's disc.
         moon_radiance: f32 = "f32",
-        /// Unit vector towards the sun, also where the moon lights the picture.
-        day: Vec3 = "vec3f",
+        /// Unit vector towards the sun.
+        sun: Vec3 = "vec3f",
         /// 1 where the sun lights the picture, 0 where the moon does.
         by_day: f32 = "f32",
         /// Pixels.

@@ -1,0 +1,77 @@
+// Where the sea's vertices are, of either mesh: on the ellipsoid, moved by the waves along its normal. Who imports this declares
+// `MEASURED`, `UNDER_WATER` and `WAVES`, as ocean.wgsl does.
+#import projected_grid
+#import bisected_mesh
+#import world
+#import waves
+
+const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some pixels long
+const STEP_BEYOND: Metres = 2.0;
+
+// A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
+struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres }
+
+fn placed(rest: vec3f, spacing: Metres) -> Place {
+    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
+    let distance = length(rest);
+    var moved = vec3f(0.0);
+    var allowed = 0.0;
+    if frame.wave_height > 0.0 && !waves_are_pixels(distance) {
+        let displacement = displacement_at(rest, distance, spacing);
+        let point = map_point(up - vec3f(0.0, 0.0, 1.0));
+        let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
+        // Shallow water holds no higher waves.
+        allowed = clamp(-ground.elevation * HELD_BY_DEPTH / frame.wave_height, 0.0, 1.0);
+        moved = allowed * displacement;
+    }
+    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing);
+}
+
+// The water a step beyond a place, as the eye sees it: level way, and how much higher. What `crest_light` takes.
+fn beyond(place: Place) -> vec2f {
+    if !WAVES || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
+    let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
+    let rest = place.rest + STEP_BEYOND * level;
+    let there = place.allowed * displacement_at(rest, length(rest), place.spacing);
+    let here = place.moved - place.rest;
+    return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);
+}
+
+fn place_on_grid(grid: vec2f) -> Place {
+    let rest = rest_position(grid);
+    let distance = length(rest);
+    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
+    let spacing = distance * frame.pixel_angle * frame.cell_pixels / sqrt(max(abs(dot(rest, up)) / max(distance, 1e-3), 0.03));
+    return placed(rest, spacing);
+}
+
+// The bisected mesh ends at the limb, and its chords before: beyond the waves it is lifted by pixels, and the fragments' own rays decide.
+fn lifted(place: Place) -> Place {
+    let distance = length(place.rest);
+    let share = smoothstep(1.0, 2.0, distance * frame.pixel_angle / (4.0 * frame.crest_height));
+    if share <= 0.0 || frame.under_water == 1u { return place; }
+    let up = normal_delta(place.rest) + vec3f(0.0, 0.0, 1.0);
+    var higher = place;
+    higher.moved += LIFT_PIXELS * share * distance * frame.pixel_angle * up;
+    return higher;
+}
+
+// A corner that halves an edge begins in the edge's middle and takes its own place while the edge grows on the screen.
+fn place_of_bisection(index: u32) -> Place {
+    let corner = drawn_corner(index);
+    let rest = rest_of(corner);
+    let own = placed(rest, wished_length(rest));
+    let edge = parents(corner);
+    if !edge.exists { return lifted(own); }
+    let grown = grown_share(edge);
+    if grown >= 1.0 { return lifted(own); }
+    let first = rest_of(edge.first);
+    let second = rest_of(edge.second);
+    let a = placed(first, wished_length(first));
+    let b = placed(second, wished_length(second));
+    var between = own;
+    between.rest = mix(0.5 * (a.rest + b.rest), own.rest, grown);
+    between.moved = mix(0.5 * (a.moved + b.moved), own.moved, grown);
+    between.height = mix(0.5 * (a.height + b.height), own.height, grown);
+    return lifted(between);
+}
