@@ -8,16 +8,18 @@
 //! Natively, `write::ArchiveWriter` writes clustered archives, the same bytes for the same tiles.
 
 mod directory;
+mod recent;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod write;
 
 pub use directory::{Entry, decode_directory, encode_directory, id_from_zxy, zxy_from_id};
 
 use crate::error::{Error, Result};
+use recent::RecentReads;
 use std::collections::VecDeque;
 use std::io::Read as _;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Length of the header, bytes.
 pub const HEADER_BYTES: usize = 127;
@@ -143,6 +145,7 @@ pub struct Archive<S> {
     root: Vec<Entry>,
     /// The most recently used leaf last; keyed by offset.
     leaves: Mutex<VecDeque<(u64, Arc<Vec<Entry>>)>>,
+    recent: Mutex<RecentReads>,
 }
 
 impl<S: ByteSource> Archive<S> {
@@ -176,7 +179,7 @@ impl<S: ByteSource> Archive<S> {
             _ => serde_json::from_slice(&section(header.metadata, "metadata").await?)
                 .map_err(|e| bad_archive(&what, format!("has metadata that are no JSON object ({e})")))?,
         };
-        Ok(Self { source, header, metadata, root, leaves: Mutex::default() })
+        Ok(Self { source, header, metadata, root, leaves: Mutex::default(), recent: Mutex::default() })
     }
 
     /// The header.
@@ -202,7 +205,7 @@ impl<S: ByteSource> Archive<S> {
     /// # Errors
     /// As [`Archive::tile`].
     pub async fn tiles(&self, span: Range<u64>, places: &[Range<u64>]) -> Result<Vec<Vec<u8>>> {
-        let bytes = read_exactly(&self.source, span.start, span.end - span.start).await?;
+        let bytes = self.read_tiles(&span).await?;
         let part = |place: &Range<u64>| {
             let [from, to] = [place.start, place.end].map(|at| (at - span.start) as usize);
             unpack(self.source.name(), self.header.tile_compression, bytes[from..to].to_vec(), MAX_TILE)
@@ -227,12 +230,40 @@ impl<S: ByteSource> Archive<S> {
                     return Err(bad_archive(what, format!("has a tile {z}/{x}/{y} of {length} bytes")));
                 }
                 let offset = within(what, self.header.data, entry)?;
-                let stored = read_exactly(&self.source, offset, length).await?;
+                let stored = self.read_tiles(&(offset..offset + length)).await?;
                 return unpack(what, self.header.tile_compression, stored, MAX_TILE).map(Some);
             }
             leaf = Some(self.leaf(entry).await?);
         }
         Err(bad_archive(what, format!("has directories nested deeper than {MAX_DEPTH}")))
+    }
+
+    /// Whether these bytes are at hand without asking the source.
+    pub fn has(&self, place: &Range<u64>) -> bool {
+        self.recent().has(place)
+    }
+
+    /// Whether any of these bytes is at hand.
+    pub fn has_any_of(&self, place: &Range<u64>) -> bool {
+        self.recent().has_any_of(place)
+    }
+
+    /// Gives up bytes that turned out to be no good: the next look at them asks the source again.
+    pub fn forget(&self, place: &Range<u64>) {
+        self.recent().forget(place);
+    }
+
+    async fn read_tiles(&self, span: &Range<u64>) -> Result<Vec<u8>> {
+        if let Some(bytes) = self.recent().get(span) {
+            return Ok(bytes);
+        }
+        let bytes = read_exactly(&self.source, span.start, span.end - span.start).await?;
+        self.recent().keep(span.start, &bytes);
+        Ok(bytes)
+    }
+
+    fn recent(&self) -> MutexGuard<'_, RecentReads> {
+        self.recent.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     async fn leaf(&self, entry: Entry) -> Result<Arc<Vec<Entry>>> {

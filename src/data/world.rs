@@ -16,9 +16,10 @@ use super::{SharedTexels, TileTexels, terrarium, water};
 use crate::error::{Error, Result};
 use cache::Cache;
 use slot::{Opening, Slot};
-use span::Wish;
+use span::{OnTheWay, Span, Wish};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
+use std::ops::Range;
 use std::sync::{Arc, mpsc};
 
 /// How often a tile or an archive is tried.
@@ -62,8 +63,8 @@ type Key = (Layer, TileId);
 enum Event {
     Opened(usize, Result<Archive<Source>>),
     Tile(Key, Result<Option<TileTexels>>),
-    /// A request for tiles is over.
-    Over,
+    /// A request for these bytes of an archive is over.
+    Over(usize, Range<u64>),
 }
 
 /// The six archives of a world: terrain and water, each for Mercator and the two poles.
@@ -78,7 +79,7 @@ pub struct World {
     /// Tiles given up, until a time, seconds.
     given_up: HashMap<Key, f64>,
     answered: Vec<Arrival>,
-    in_flight: usize,
+    on_the_way: OnTheWay,
     asked: u64,
     /// Requests answered since nothing was pending.
     done: usize,
@@ -114,7 +115,7 @@ impl World {
             waiting: Vec::new(),
             given_up: HashMap::new(),
             answered: Vec::new(),
-            in_flight: 0,
+            on_the_way: OnTheWay::default(),
             asked: 0,
             done: 0,
             cache: Cache::new(TILES_KEPT),
@@ -164,7 +165,7 @@ impl World {
             match event {
                 Event::Opened(slot, result) => self.slots[slot].opened(result),
                 Event::Tile(key, result) => self.arrived(key, result),
-                Event::Over => self.in_flight -= 1,
+                Event::Over(slot, bytes) => self.on_the_way.over(slot, &bytes),
             }
         }
         let now = now_s();
@@ -306,12 +307,13 @@ impl World {
         }
     }
 
-    /// Starts ready requests while there is room; those whose archive is not open yet stay ready.
+    /// Starts ready requests while there is room. Those whose archive is not open yet stay ready, and those whose bytes are on their
+    /// way for others.
     fn start(&mut self) {
-        if self.in_flight >= IN_FLIGHT {
+        if self.on_the_way.len() >= IN_FLIGHT {
             return;
         }
-        let (mut later, mut wishes) = (Vec::new(), Vec::new());
+        let (mut later, mut wishes, mut spans) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(Reverse((z, order, key))) = self.ready.pop() {
             let index = slot_index(key.0, key.1.projection);
             let slot = &self.slots[index];
@@ -319,7 +321,12 @@ impl World {
                 Opening::Open(archive) if key.1.z > archive.header().max_zoom => self.answer(key, Outcome::Absent),
                 Opening::Open(archive) => {
                     let place = archive.place(key.1.z, key.1.x, key.1.y);
-                    wishes.push(Wish { slot: index, key, rank: (z, order), place });
+                    let wish = Wish { slot: index, key, rank: (z, order), place };
+                    match &wish.place {
+                        Some(place) if archive.has(place) => spans.push(Span::from(wish)),
+                        Some(place) if self.on_the_way.brings(index, place) => later.push(Reverse((z, order, key))),
+                        _ => wishes.push(wish),
+                    }
                 }
                 Opening::Failed(why) => {
                     let error = Error::Fetch { url: slot.name.clone(), why: why.clone() };
@@ -328,19 +335,24 @@ impl World {
                 _ => later.push(Reverse((z, order, key))),
             }
         }
-        for span in span::spans(wishes) {
-            let archive = self.slots[span.wishes[0].slot].archive().filter(|_| self.in_flight < IN_FLIGHT).cloned();
+        spans.extend(span::spans(wishes, |slot, gap| {
+            let at_hand = self.slots[slot].archive().is_some_and(|archive| archive.has_any_of(gap));
+            at_hand || self.on_the_way.brings_any_of(slot, gap)
+        }));
+        for span in spans {
+            let archive = self.slots[span.slot()].archive().filter(|_| self.on_the_way.len() < IN_FLIGHT).cloned();
             let Some(archive) = archive else {
                 later.extend(span.wishes.iter().map(|wish| Reverse((wish.rank.0, wish.rank.1, wish.key))));
                 continue;
             };
             let (sender, waker) = (self.sender.clone(), self.waker.clone());
-            self.in_flight += 1;
+            let (slot, bytes) = (span.slot(), span.bytes().clone());
+            self.on_the_way.add(slot, bytes.clone());
             self.spawner.spawn(async move {
                 // A world that is gone takes no answers.
                 let tell = |key, result| drop(sender.send(Event::Tile(key, result)));
                 span::fetch(&archive, span, tell).await;
-                let _ = sender.send(Event::Over);
+                let _ = sender.send(Event::Over(slot, bytes));
                 waker.inspect(|wake| wake());
             });
         }
@@ -356,6 +368,10 @@ impl World {
             }
             Ok(None) => self.answer(key, Outcome::Absent),
             Err(error) => {
+                // Perhaps its bytes: they are asked for anew.
+                if let Some(archive) = self.slot(key.0, key.1.projection).archive() {
+                    archive.place(key.1.z, key.1.x, key.1.y).inspect(|place| archive.forget(place));
+                }
                 let tried = self.pending.get_mut(&key).map_or(ATTEMPTS, |tried| {
                     *tried += 1;
                     *tried

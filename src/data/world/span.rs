@@ -36,14 +36,31 @@ pub(super) struct Span {
     pub(super) wishes: Vec<Wish>,
 }
 
+impl From<Wish> for Span {
+    fn from(wish: Wish) -> Self {
+        Self { bytes: wish.place.clone().unwrap_or(0..0), wishes: vec![wish] }
+    }
+}
+
 impl Span {
-    fn takes(&self, wish: &Wish) -> bool {
+    fn takes(&self, wish: &Wish, known: impl Fn(usize, &Range<u64>) -> bool) -> bool {
         let Some(place) = &wish.place else { return false };
         self.wishes[0].slot == wish.slot
             && self.wishes[0].place.is_some()
             && place.start <= self.bytes.end + GAP
             && place.end.max(self.bytes.end) - self.bytes.start <= MOST_BYTES
             && self.wishes.len() < MOST_TILES
+            && !(self.bytes.end < place.start && known(wish.slot, &(self.bytes.end..place.start)))
+    }
+
+    /// The archive.
+    pub(super) fn slot(&self) -> usize {
+        self.wishes[0].slot
+    }
+
+    /// What is fetched.
+    pub(super) fn bytes(&self) -> &Range<u64> {
+        &self.bytes
     }
 
     /// The rank of its first wish.
@@ -52,17 +69,54 @@ impl Span {
     }
 }
 
-/// The requests that answer some wishes, the most urgent first.
-pub(super) fn spans(mut wishes: Vec<Wish>) -> Vec<Span> {
+/// The requests that have no answer yet: archives, and bytes of them.
+#[derive(Default)]
+pub(super) struct OnTheWay(Vec<(usize, Range<u64>)>);
+
+impl OnTheWay {
+    /// How many.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Adds a request.
+    pub(super) fn add(&mut self, slot: usize, bytes: Range<u64>) {
+        self.0.push((slot, bytes));
+    }
+
+    /// Takes out a request that is over.
+    pub(super) fn over(&mut self, slot: usize, bytes: &Range<u64>) {
+        if let Some(request) = self.0.iter().position(|(other, same)| (*other, same) == (slot, bytes)) {
+            self.0.swap_remove(request);
+        }
+    }
+
+    /// Whether one request brings all of a place.
+    pub(super) fn brings(&self, slot: usize, place: &Range<u64>) -> bool {
+        self.of(slot).any(|bytes| bytes.start <= place.start && place.end <= bytes.end)
+    }
+
+    /// Whether any request brings some of a place.
+    pub(super) fn brings_any_of(&self, slot: usize, place: &Range<u64>) -> bool {
+        self.of(slot).any(|bytes| bytes.start < place.end && place.start < bytes.end)
+    }
+
+    fn of(&self, slot: usize) -> impl Iterator<Item = &Range<u64>> {
+        self.0.iter().filter(move |(other, _)| *other == slot).map(|(_, bytes)| bytes)
+    }
+}
+
+/// The requests that answer some wishes, the most urgent first. None bridges a gap in which bytes of an archive are `known`.
+pub(super) fn spans(mut wishes: Vec<Wish>, known: impl Fn(usize, &Range<u64>) -> bool) -> Vec<Span> {
     wishes.sort_by_key(|wish| (wish.slot, wish.place.as_ref().map(|place| (place.start, place.end)), wish.rank));
     let mut spans: Vec<Span> = Vec::new();
     for wish in wishes {
-        match spans.last_mut().filter(|span| span.takes(&wish)) {
+        match spans.last_mut().filter(|span| span.takes(&wish, &known)) {
             Some(span) => {
                 span.bytes.end = span.bytes.end.max(wish.place.as_ref().map_or(0, |place| place.end));
                 span.wishes.push(wish);
             }
-            None => spans.push(Span { bytes: wish.place.clone().unwrap_or(0..0), wishes: vec![wish] }),
+            None => spans.push(wish.into()),
         }
     }
     spans.sort_by_key(Span::rank);
@@ -107,26 +161,33 @@ mod tests {
     #[test]
     fn neighbours_and_twins_share_a_request_and_strangers_do_not() {
         let far = 1_000_000;
-        let wishes = vec![
-            wish(1, 0, Some(far..far + 100)),
-            wish(2, 0, Some(0..100)),
-            wish(3, 0, Some(100 + GAP..200 + GAP)),
-            wish(4, 0, Some(0..100)),
-            wish(5, 1, Some(100..200)),
-            wish(6, 0, None),
-            wish(7, 0, None),
-            wish(8, 0, Some(far + 101 + GAP..far + 200 + GAP)),
-        ];
-        let spans = spans(wishes);
+        let wishes = || {
+            vec![
+                wish(1, 0, Some(far..far + 100)),
+                wish(2, 0, Some(0..100)),
+                wish(3, 0, Some(100 + GAP..200 + GAP)),
+                wish(4, 0, Some(0..100)),
+                wish(5, 1, Some(100..200)),
+                wish(6, 0, None),
+                wish(7, 0, None),
+                wish(8, 0, Some(far + 101 + GAP..far + 200 + GAP)),
+            ]
+        };
+        let spans = spans(wishes(), |_, _| false);
         assert_eq!(numbers(&spans), [vec![1], vec![2, 4, 3], vec![5], vec![6], vec![7], vec![8]]);
         assert_eq!(spans[1].bytes, 0..200 + GAP);
+        let known = |slot, gap: &Range<u64>| slot == 0 && *gap == (100..100 + GAP);
+        assert_eq!(
+            numbers(&super::spans(wishes(), known)),
+            [vec![1], vec![2, 4], vec![3], vec![5], vec![6], vec![7], vec![8]]
+        );
     }
 
     #[test]
     fn a_request_is_bounded_in_tiles_and_bytes() {
         let row = |length: u64| (0..40).map(|i| wish(i, 0, Some(i * length..(i + 1) * length))).collect();
-        assert!(spans(row(100)).iter().all(|span| span.wishes.len() <= MOST_TILES));
-        assert!(spans(row(200_000)).iter().all(|span| span.bytes.end - span.bytes.start <= MOST_BYTES));
-        assert_eq!(spans(row(100)).len(), 40usize.div_ceil(MOST_TILES));
+        assert!(spans(row(100), |_, _| false).iter().all(|span| span.wishes.len() <= MOST_TILES));
+        assert!(spans(row(200_000), |_, _| false).iter().all(|span| span.bytes.end - span.bytes.start <= MOST_BYTES));
+        assert_eq!(spans(row(100), |_, _| false).len(), 40usize.div_ceil(MOST_TILES));
     }
 }

@@ -3,6 +3,7 @@
 import { spawn } from "node:child_process";
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
+import { setTimeout as sleep } from "node:timers/promises";
 import { extname, join, normalize, resolve, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -41,6 +42,7 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
  *
  * `behaviour.ranges = false`: answers every request with the whole file. `behaviour.answer(path, range)`: returns `undefined`
  * to serve as usual, a number for an answer of that status, or a function that makes other bytes out of the right ones.
+ * `behaviour.delay(path)`: milliseconds before the answer.
  */
 export async function startBreakable(behaviour = {}) {
   const requests = [];
@@ -53,6 +55,7 @@ export async function startBreakable(behaviour = {}) {
     const status = typeof special === "number" ? special : bytes ? 200 : 404;
     const asked = { path, range, status, bytes: 0 };
     requests.push(asked);
+    await sleep(behaviour.delay?.(path) ?? 0);
     if (status !== 200) return response.writeHead(status).end();
     const headers = { "Content-Type": TYPES[extname(file)] ?? "application/octet-stream", "Cache-Control": "no-store" };
     const change = special ?? ((same) => same);

@@ -47,6 +47,32 @@ export const tileTests = (site) => describe("tiles", () => {
     const parts = server.requests.filter(({ range }) => range);
     const megabytes = server.requests.reduce((sum, { bytes }) => sum + bytes, 0) / 1e6;
     t.diagnostic(`${server.requests.length} requests, ${parts.length} of them for parts of archives, ${megabytes.toFixed(1)} MB`);
+    noneTwice(parts);
+    // Each tile on its own were 134 requests.
+    assert.ok(parts.length > 5 && parts.length <= 67, `${parts.length} requests for parts of archives`);
+  });
+
+  test("what came with its neighbours, or as its twin, is not fetched again when it is wanted", async (t) => {
+    // As over a real line: wishes come while others are on their way.
+    let turn = 0;
+    const server = await startBreakable({ delay: (path) => (path.endsWith(".pmtiles") ? (turn++ * 89) % 300 : 0) });
+    const globe = await Globe.open(site.browser, server.address, { fragment: "#view=10,-150,9000000", query: "?panel=off" });
+    try {
+      for (const view of ["0,-150,9000000", "20,-120,6000000", "-20,160,6000000"]) await globe.follow(`#view=${view}`);
+      assert.deepEqual(globe.errors(), []);
+    } finally {
+      await globe.close();
+      server.close();
+    }
+    const parts = server.requests.filter(({ range }) => range);
+    const bytesOf = {};
+    for (const { path, bytes } of parts) bytesOf[path] = (bytesOf[path] ?? 0) + bytes;
+    t.diagnostic(`${parts.length} requests for parts of archives: ${JSON.stringify(bytesOf)}`);
+    noneTwice(parts);
+  });
+
+  /** Asserts that no byte of an archive was asked for twice. */
+  function noneTwice(parts) {
     // An archive's head is read before anybody knows where it ends: its 6 kB may reach into the first tiles.
     const ends = parts.map(({ path, range }) => [path, ...range.match(/\d+/g).map(Number)]).filter(([, first]) => first > 0);
     ends.sort(([path, first], [otherPath, otherFirst]) => path.localeCompare(otherPath) || first - otherFirst);
@@ -54,9 +80,7 @@ export const tileTests = (site) => describe("tiles", () => {
       const [pathBefore, , lastBefore] = ends[i - 1] ?? [];
       assert.ok(path !== pathBefore || first > lastBefore, `${path}: ${lastBefore} comes twice`);
     }
-    // Each tile on its own were 134 requests.
-    assert.ok(parts.length > 5 && parts.length <= 67, `${parts.length} requests for parts of archives`);
-  });
+  }
 
   test("a server without ranges gives the same picture, each archive fetched once", async () => {
     const { picture, requests } = await coastFrom(await startBreakable({ ranges: false }));
