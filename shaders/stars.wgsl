@@ -1,18 +1,11 @@
-// Stars as points of light over a dark sky: each a small triangle with a round spot in it.
+// Stars over a dark sky.
 #import light
+#import spot
 
 // Of a star of magnitude 0, as the display's tone takes it, whatever the exposure: those of magnitude 6 are just seen on black.
 const BRIGHTNESS: f32 = 6.0;
-const SPOT: f32 = 0.75;        // standard deviation of a spot, pixels
-const REACH: f32 = 3.0;        // of the spots, pixels
 // A sky so bright, as the display's tone takes it, hides e-fold of a star.
 const HIDING: f32 = 0.08;
-
-struct Spot {
-    @builtin(position) position: vec4f,
-    @location(0) @interpolate(flat) light: vec3f,
-    @location(1) offset: vec2f,                    // from its middle, pixels
-}
 
 // Linear colour of a star by its colour index B-V: blue-white, white, orange.
 fn star_colour(index: f32) -> vec3f {
@@ -25,16 +18,9 @@ fn star_colour(index: f32) -> vec3f {
 fn vertex(@builtin(vertex_index) corner: u32, @location(0) star: vec4f, @location(1) colour_index: f32) -> Spot {
     let direction = star.xyz;
     let clip = frame.clip_from_local * vec4f(direction, 0.0);
-    let offset = array(vec2f(0.0, 2.0), vec2f(-1.7321, -1.0), vec2f(1.7321, -1.0))[corner] * REACH;
     let sky = dot(sky_seen(direction) + night_sky(direction.z), vec3f(0.2126, 0.7152, 0.0722)) * frame.exposure / HIDING;
     let light = BRIGHTNESS * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
-    // Behind the earth, behind the eye, or not to be seen: nowhere.
-    if surface_hit(eye_ray(direction)) >= 0.0 || clip.w <= 0.0 || light.g < 0.001 { return Spot(vec4f(2.0, 2.0, 0.0, 1.0), vec3f(0.0), vec2f(0.0)); }
-    let place = clip.xy / clip.w + 2.0 * offset / frame.viewport;
-    return Spot(vec4f(place, 0.0, 1.0), light, offset);
-}
-
-@fragment
-fn fragment(spot: Spot) -> @location(0) vec4f {
-    return vec4f(spot.light * exp(-0.5 * dot(spot.offset, spot.offset) / (SPOT * SPOT)), 0.0);
+    // Behind the earth, behind the eye, or not to be seen.
+    if surface_hit(eye_ray(direction)) >= 0.0 || clip.w <= 0.0 || light.g < 0.001 { return no_spot(); }
+    return spot_at(clip, 0.0, light, corner);
 }

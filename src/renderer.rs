@@ -8,6 +8,7 @@ use crate::gpu::drawing::begin;
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
+use crate::pass::city_lights::CityLights;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
@@ -61,6 +62,7 @@ pub struct Renderer {
     sky: Sky,
     /// Where the radiance's format blends.
     stars: Option<Stars>,
+    city_lights: Option<CityLights>,
     globe: Globe,
     land: Land,
     ocean: Ocean,
@@ -107,10 +109,11 @@ impl Renderer {
         let surface = Surface::new(&gpu, frame, light.map(Clone::clone));
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
+        let blends = radiance == Radiance::Half.format();
         Self {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
-            stars: (radiance == Radiance::Half.format())
-                .then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
+            stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
+            city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
@@ -221,10 +224,12 @@ impl Renderer {
             + self.surface.dispatches()
             + self.mesh.dispatches();
         let Some(targets) = &self.targets else { return };
-        let mut stars = self.stars.as_mut().filter(|_| frame.shows_stars && frame.has_light() && !kind.under_water);
-        if let Some(stars) = &mut stars {
-            stars.prepare(&self.gpu, frame);
-        }
+        let is_seen = frame.has_light() && !kind.under_water;
+        let stars = self.stars.as_mut().filter(|_| is_seen && frame.shows_stars);
+        let stars = stars.map(|stars| stars.prepare(&self.gpu, frame));
+        let city_lights = self.city_lights.as_mut().filter(|_| is_seen && frame.shows_city_lights);
+        let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame));
+        let points = stars.into_iter().chain(city_lights);
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -243,9 +248,7 @@ impl Renderer {
             let mut pass = begin(encoder, "globe", &radiance, clear, depth);
             self.globe.draw(&mut pass, kind, frame_group, surface);
             self.sky.draw(&mut pass, kind, frame_group, surface);
-            if let Some(stars) = stars {
-                stars.draw(&mut pass, frame_group, surface);
-            }
+            points.for_each(|points| points.draw(&mut pass, frame_group, surface));
         } else {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
@@ -255,9 +258,7 @@ impl Renderer {
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);
             }
-            if let Some(stars) = stars {
-                stars.draw(&mut pass, frame_group, surface);
-            }
+            points.for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);

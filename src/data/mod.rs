@@ -7,6 +7,7 @@
 //! Every reader here treats its input as hostile: sizes are bounded before memory is taken, arithmetic is checked, and
 //! what is wrong comes back as [`crate::error::Error`], never as a panic.
 
+pub mod city_lights;
 pub mod fetch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod netcdf;

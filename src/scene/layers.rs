@@ -13,18 +13,21 @@ pub enum Layer {
     Sky,
     /// The stars.
     Stars,
+    /// The lights of cities.
+    Lights,
     /// The data credits over the picture.
     Credits,
 }
 
 impl Layer {
     /// Every layer with its id in links.
-    pub const ALL: [(Self, &'static str); 6] = [
+    pub const ALL: [(Self, &'static str); 7] = [
         (Self::Land, "land"),
         (Self::Sea, "sea"),
         (Self::Foam, "foam"),
         (Self::Sky, "sky"),
         (Self::Stars, "stars"),
+        (Self::Lights, "lights"),
         (Self::Credits, "credits"),
     ];
 

@@ -13,14 +13,15 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view, stars, tonemap,
+    air_table, backdrop, bisect, bloom, city_lights, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view,
+    stars, tonemap,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
 
 /// Every composed shader with the file that it comes from.
-fn all() -> Vec<(&'static str, String)> {
+pub fn all() -> Vec<(&'static str, String)> {
     let kinds = [Precision::Half, Precision::Single].map(|p| [(p, Wanted::All), (p, Wanted::Stretches)]).concat();
     let transforms =
         (4..=11).flat_map(|log| kinds.iter().map(move |&(p, wanted)| ("fft.wgsl", fft::source(1 << log, p, wanted))));
@@ -33,6 +34,7 @@ fn all() -> Vec<(&'static str, String)> {
         ("blit.wgsl", blit::source(false)),
         ("blit.wgsl", blit::source(true)),
         ("pane.wgsl", pane::source(panel::ground_colour(), false)),
+        ("city_lights.wgsl", city_lights::source()),
         ("foam.wgsl", foam::source()),
         ("mips.wgsl", mips::source("rgba16float")),
         ("perlin.wgsl", perlin::source()),
@@ -54,7 +56,7 @@ fn all() -> Vec<(&'static str, String)> {
     all
 }
 
-fn parsed(name: &str, source: &str) -> naga::Module {
+pub fn parsed(name: &str, source: &str) -> naga::Module {
     naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)))
 }
 

@@ -125,3 +125,52 @@ fn by_day_no_star_is_seen_but_from_space() {
     let space = changed("#view=16,-25,30000000&time=2026-11-20T14:20:00Z");
     assert!(space > 100, "{space}");
 }
+
+#[test]
+fn a_city_is_lit_where_it_lies_by_night_alone_and_no_sea_is() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut light = |view: &str| {
+        let mut picture = |layers: &str| {
+            let state = render::parse_state(&format!("{view}{layers}")).unwrap();
+            render::picture(&mut renderer, &state, SIZE).unwrap()
+        };
+        let [with, without] = [picture(""), picture("&layers=-lights")];
+        let light = |(a, b): (&[u8], &[u8])| (0..3).map(|i| f64::from(a[i]) - f64::from(b[i])).sum::<f64>();
+        with.chunks_exact(4).zip(without.chunks_exact(4)).map(light).collect::<Vec<_>>()
+    };
+    let [mx, my] = middle();
+    let off = |i: usize| ((i % SIZE[0] as usize) as f64 + 0.5 - mx).hypot((i / SIZE[0] as usize) as f64 + 0.5 - my);
+
+    // Madrid, whose middle is the Puerta del Sol, on a dark plain. A pixel is 1.38 km.
+    let madrid = "#view=40.4169,-3.7035,300000";
+    let night = light(&format!("{madrid}&time=2026-12-10T22:00:00Z"));
+    let near: Vec<f64> = night.iter().enumerate().map(|(i, d)| if off(i) < 25.0 { d.max(0.0) } else { 0.0 }).collect();
+    let mean = |inside: bool, reach: f64| {
+        let of: Vec<f64> =
+            night.iter().enumerate().filter(|(i, _)| (off(*i) < reach) == inside).map(|(_, d)| *d).collect();
+        of.iter().sum::<f64>() / of.len() as f64
+    };
+    let [x, y] = centroid(&near);
+    println!("Madrid is at {x:.1}, {y:.1}: {:.1} on it, {:.1} about it", mean(true, 10.0), mean(false, 40.0));
+    // A texel of the lights is 19.5 km from north to south, 10.8 pixels from west to east: its middle may be half of that off.
+    assert!((x - mx).abs() < 5.4 && (y - my).abs() < 7.1, "{x}, {y}");
+    assert!(mean(true, 10.0) > 10.0 * mean(false, 40.0));
+    assert!(light(&format!("{madrid}&time=2026-12-10T12:00:00Z")).iter().all(|d| *d == 0.0));
+
+    // Oahu in the dark, without the glow of a lens: lamps, and none in the sea but for what a spot reaches.
+    let oahu = "#view=21.45,-157.95,120000&time=2026-12-10T09:00:00Z&quality=low";
+    let night = light(oahu);
+    let mut measuring = render::headless(DATA, Radiance::Single).unwrap();
+    let state = render::parse_state(oahu).unwrap();
+    let water = render::measure(&mut measuring, &state, SIZE, LayerName::Class).unwrap().values;
+    let [width, height] = SIZE.map(|side| side as usize);
+    let at_sea = |i: usize| {
+        let (x, y) = (i % width, i / width);
+        let around = |c: usize, side: usize| c.saturating_sub(4)..(c + 5).min(side);
+        around(y, height).all(|y| around(x, width).all(|x| water[y * width + x] == 1.0))
+    };
+    let lit = night.iter().filter(|d| **d > 30.0).count();
+    let at_sea = night.iter().enumerate().filter(|(i, d)| **d > 3.0 && at_sea(*i)).count();
+    println!("{lit} pixels of Oahu are lit, {at_sea} of the sea about it");
+    assert!(lit > 100 && at_sea == 0, "{lit}, {at_sea}");
+}

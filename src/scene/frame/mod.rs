@@ -45,6 +45,8 @@ pub struct Frame {
     pub foam_lifetime_s: Option<f64>,
     /// Whether stars may show: it is dark at the eye, or it is in space.
     pub shows_stars: bool,
+    /// Whether city lights may show: it is evening at the eye, or it is in space.
+    pub shows_city_lights: bool,
     /// How much the picture may cost.
     pub quality: Quality,
     /// Where the bisected mesh shall be refined, when it is drawn.
@@ -64,6 +66,8 @@ pub const MIX_FAR_M: f64 = 16_000.0;
 const LACE_BLURRED_M: f32 = 64.0;
 /// Sine of the sun's elevation from which on no star is seen from the ground.
 const STARS_BELOW: f32 = -0.03;
+/// And from which on no lamp is lit as far as an eye sees that is not in space.
+const LIGHTS_BELOW: f32 = 0.07;
 /// From here on stars are seen by day, metres: where the sky is dark.
 const STARS_ABOVE_M: f32 = 20_000.0;
 /// Farther than anything, metres.
@@ -126,6 +130,7 @@ impl Frame {
             whitecaps,
             foam_lifetime_s,
             shows_stars: stars_show(&uniform, settings),
+            shows_city_lights: city_lights_show(&uniform, settings),
             quality: settings.quality,
             bisection,
             uniform,
@@ -313,6 +318,12 @@ fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds: f64
 fn stars_show(u: &FrameUniform, settings: &Settings) -> bool {
     let wanted = [Layer::Sky, Layer::Stars].iter().all(|layer| settings.layers.shows(*layer));
     wanted && (u.sun.z < STARS_BELOW || u.eye_altitude > STARS_ABOVE_M)
+}
+
+/// Whether city lights are worth looking for.
+fn city_lights_show(u: &FrameUniform, settings: &Settings) -> bool {
+    let wanted = [Layer::Land, Layer::Lights].iter().all(|layer| settings.layers.shows(*layer));
+    wanted && (u.sun.z < LIGHTS_BELOW || u.eye_altitude > STARS_ABOVE_M)
 }
 
 /// The map of gusts is the Mercator square, turned into the wind and pressed along it: as `shaders/lib/gusts.wgsl`.

@@ -1,0 +1,168 @@
+//! City lights, where it is night: each texel of their picture is a town of as many lamps as its pixels can show.
+
+use glam::{DVec3, DVec4};
+
+use super::points::{Point, Points};
+use crate::data::city_lights::{CityLight, TEXELS, city_lights};
+use crate::gpu::{Gpu, shader};
+use crate::model::earth::{self, Geodetic, WGS84};
+use crate::model::noise::hash;
+use crate::scene::frame::Frame;
+use crate::scene::settings::Quality;
+
+/// Lamps of a picture, at most.
+const MOST: usize = 1 << 16;
+/// Lamps of a town, at most.
+const MOST_OF_TOWN: f64 = 192.0;
+/// Pixels of a town for each of its lamps.
+const PIXELS: f64 = 5.0;
+/// Radiance that a picture of low quality shows from, of the brightest: a third of all.
+const FAINTEST_OF_LOW: f64 = 0.02;
+/// The highest ground with lamps, m.
+const HIGHEST_M: f64 = 4_500.0;
+/// How far beyond the picture's edges lamps are drawn, half widths: more than a spot reaches.
+const EDGE: f64 = 1.1;
+/// Sines of the sun's elevation between which lamps are lit.
+const DUSK: [f64; 2] = [-0.02, -0.12];
+
+/// The composed shader.
+pub fn source() -> String {
+    shader::composed(include_str!("../../shaders/city_lights.wgsl"), "")
+}
+
+/// A texel of the picture on the ellipsoid.
+struct Town {
+    normal: DVec3,
+    place: DVec3,
+    east: DVec3,
+    north: DVec3,
+    /// Half of its sides, m.
+    half: [f64; 2],
+    radiance: f64,
+}
+
+impl Town {
+    fn new(light: CityLight) -> Self {
+        let enu = earth::ecef_from_enu(light.lat, light.lon);
+        let side = std::f64::consts::PI * WGS84.a / f64::from(TEXELS[1]);
+        Self {
+            normal: enu.z_axis,
+            place: WGS84.ecef_from_geodetic(Geodetic { lat: light.lat, lon: light.lon, height: 0.0 }),
+            east: enu.x_axis,
+            north: enu.y_axis,
+            half: [0.5 * side * libm::cos(light.lat), 0.5 * side],
+            radiance: light.radiance,
+        }
+    }
+
+    fn area(&self) -> f64 {
+        4.0 * self.half[0] * self.half[1]
+    }
+}
+
+/// The pass.
+pub struct CityLights {
+    towns: Vec<Town>,
+    /// Those that may be in the picture.
+    lamps: Points,
+}
+
+/// A town in a picture: which, how many lamps its pixels can show, and how much of its light is lit.
+struct Seen {
+    town: usize,
+    lamps: f64,
+    lit: f64,
+}
+
+impl CityLights {
+    /// The pass into `formats` of colour and depth, a colour that blends; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    pub fn new(
+        gpu: &Gpu,
+        frame: &wgpu::BindGroupLayout,
+        surface: &wgpu::BindGroupLayout,
+        formats: [wgpu::TextureFormat; 2],
+    ) -> Self {
+        let lamps = Points::new(gpu, ("city lights", &source(), MOST), frame, surface, formats);
+        Self { towns: city_lights().map(Town::new).collect(), lamps }
+    }
+
+    /// Lights the lamps that may be in a frame.
+    pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame) -> &Points {
+        self.lamps.show(gpu, &lamps(&self.towns, frame));
+        &self.lamps
+    }
+}
+
+fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
+    let seen = seen(towns, frame);
+    let wished: f64 = seen.iter().map(|seen| seen.lamps).sum();
+    let share = (MOST as f64 / 2.0 / wished.max(1.0)).min(1.0);
+    let enu = earth::ecef_from_enu(frame.camera.lat, frame.camera.lon).transpose();
+    let up = DVec3::Z;
+    let clip = frame.uniform.clip_from_local.as_dmat4();
+    let eye = frame.camera.eye_ecef();
+    let mut lamps = Vec::new();
+    for Seen { town: index, lamps: wished, lit } in seen {
+        let town = &towns[index];
+        let count = (wished * share).max(1.0);
+        // The last lamp comes and goes softly.
+        let weight = |i: usize| (count - i as f64).min(1.0) / libm::sqrt(1.0 + i as f64);
+        let many = count.ceil() as usize;
+        let total: f64 = (0..many).map(weight).sum();
+        for i in 0..many {
+            let [x, y, warm] = lamp(index, i);
+            let [dx, dy] = [x * town.half[0], y * town.half[1]];
+            let step = town.east * dx + town.north * dy;
+            let sag = (dx * dx + dy * dy) / (2.0 * WGS84.a);
+            let place = enu * (town.place + step - town.normal * sag - eye);
+            let at: DVec4 = clip * place.extend(1.0);
+            if at.w <= 0.0 || at.x.abs() > EDGE * at.w || at.y.abs() > EDGE * at.w {
+                continue;
+            }
+            // To a sphere's first order; the town is small.
+            let normal = (enu * (town.normal + step / WGS84.a)).normalize() - up;
+            let light = lit * town.radiance * town.area() * weight(i) / total;
+            lamps.push([normal.x as f32, normal.y as f32, normal.z as f32, light as f32, warm as f32]);
+        }
+    }
+    lamps
+}
+
+/// Towns that may be in a frame: it is night there, they are over the horizon, and in front of the eye.
+fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
+    let u = &frame.uniform;
+    let enu = earth::ecef_from_enu(frame.camera.lat, frame.camera.lon);
+    let (eye, forward, sun) = (frame.camera.eye_ecef(), enu * u.ray_forward.as_dvec3(), enu * u.sun.as_dvec3());
+    let corner = f64::from(u.ray_right.length_squared() + u.ray_up.length_squared()).sqrt().atan();
+    let horizon = |height: f64| (height.max(0.0) * (2.0 * WGS84.a + height.max(0.0))).sqrt();
+    let farthest = horizon(frame.camera.altitude_m) + horizon(HIGHEST_M);
+    let pixel = f64::from(u.pixel_angle);
+    let faintest = if frame.quality == Quality::Low { FAINTEST_OF_LOW } else { 0.0 };
+    let of = |(index, town): (usize, &Town)| {
+        let lit = ((DUSK[0] - town.normal.dot(sun)) / (DUSK[0] - DUSK[1])).clamp(0.0, 1.0);
+        let way = town.place - eye;
+        let distance = way.length();
+        let reach = 2.0 * town.half[1];
+        if town.radiance < faintest || lit <= 0.0 || distance > farthest + reach {
+            return None;
+        }
+        let beside = (way.dot(forward) / distance).clamp(-1.0, 1.0).acos() - (reach / distance.max(reach)).asin();
+        if distance > reach && beside > corner {
+            return None;
+        }
+        let pixels =
+            town.area() * (-way.dot(town.normal)).max(0.02 * distance) / distance.max(1.0).powi(3) / (pixel * pixel);
+        Some(Seen { town: index, lamps: (pixels / PIXELS).clamp(1.0, MOST_OF_TOWN), lit })
+    };
+    towns.iter().enumerate().filter_map(of).collect()
+}
+
+/// Where a town's lamp stands, in half sides from its middle, and how warm it is, 0 to 1: about a few quarters, most of them near.
+fn lamp(town: usize, i: usize) -> [f64; 3] {
+    let random = |i: usize, salt: u32| f64::from(hash([town as u32, i as u32, salt])) / 2f64.powi(32);
+    let quarter = i % 5;
+    let (sin, cos) = libm::sincos(std::f64::consts::TAU * random(i, 2));
+    let off = 0.6 * random(i, 3) * random(i, 4);
+    let [x, y] = [random(quarter, 0), random(quarter, 1)].map(|r| 1.8 * (r - 0.5));
+    [x + off * cos, y + off * sin, random(i, 5)]
+}
