@@ -45,7 +45,7 @@ fn smaller_eigenvalue(p: vec3f, footprint: Metres) -> f32 {
                 if k == 3u || around.triangle.weights[k] <= 0.0 { break; }
             }
             c++;
-            if c == frame.cascade_count || frame.patches[c] < SHORTEST_PATCH_TEXELS * footprint { break; }
+            if c == CASCADES || frame.patches[c] < SHORTEST_PATCH_TEXELS * footprint { break; }
         }
         left &= left - 1u;
         if left == 0u { break; }

@@ -38,12 +38,12 @@ fn sky_seen(direction: vec3f) -> vec3f {
 // What is left of a beam from beyond the air; the earth is not in its way.
 fn beam_seen(direction: vec3f) -> vec3f {
     let ray = eye_ray(direction);
-    if frame.eye_altitude < TOP {
-        return transmittance(max(frame.eye_altitude, 0.0), dot(direction, normalize(frame.quadric_gradient)));
-    }
     let lowest = -ray.b / ray.a;
     let height = height_along(ray, lowest);
-    if lowest < 0.0 || height > TOP { return vec3f(1.0); }
-    let half_way = transmittance(max(height, 0.0), 0.0);
-    return half_way * half_way;
+    let inside = frame.eye_altitude < TOP;
+    if !inside & ((lowest < 0.0) | (height > TOP)) { return vec3f(1.0); }
+    let mu = select(0.0, dot(direction, normalize(frame.quadric_gradient)), inside);
+    let way = transmittance(max(select(height, frame.eye_altitude, inside), 0.0), mu);
+    // From space as far again behind the lowest point.
+    return way * select(way, vec3f(1.0), inside);
 }

@@ -27,7 +27,8 @@ fn serving(p: vec3f, count: u32) -> Serving {
         nearest = min(nearest, distance(p, wave_cells[end].origin));
         end++;
         // Cells are sorted by their distance from the eye's foot; 0.99 allows for the ellipsoid's flattening.
-        if end >= count || 0.99 * length(wave_cells[end].origin) - way > nearest + BLEND_WIDTH { break; }
+        let none_nearer = 0.99 * length(wave_cells[min(end, MAX_CELLS - 1u)].origin) - way > nearest + BLEND_WIDTH;
+        if (end >= count) | none_nearer { break; }
     }
     var squares = 0.0;
     var cells = 0u;

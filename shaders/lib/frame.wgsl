@@ -8,6 +8,7 @@ alias Metres = f32;
 const FOAM_LEVELS = 4u;
 const FOAM_TEXELS: i32 = 256;     // along a side of a level of the foam map
 
+const CASCADES = 4u;             // of wave patches, at most
 const PATCHES = 5u;              // that have a lattice: the cascades, then the Perlin patch
 
 const MAX_CELLS = 24u;

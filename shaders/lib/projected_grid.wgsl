@@ -15,7 +15,7 @@ const STRIP_ROWS = 6.0;
 fn projected(device: vec2f) -> vec3f {
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     // The surface over an eye under water lies where the mirrored eye above it looks.
-    if frame.under_water == 1u { direction.z = -abs(direction.z); }
+    direction.z = select(direction.z, -abs(direction.z), frame.under_water == 1u);
     let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var t = surface_hit(ray);
@@ -54,12 +54,11 @@ fn rest_position(grid: vec2f) -> vec3f {
     let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
     let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + EDGE_ABOVE, max(y - low_rim(), 0.0) / (1.0 - low_rim())));
     let rest = projected(device);
-    if reach == 0.0 { return rest; }
     let right = normalize(frame.ray_right.xy);
     let ahead = vec2f(-right.y, right.x);
     let above = clamp((y - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
     let moved = rest + vec3f((right * beside + ahead * above) * reach, 0.0);
-    if below == 0.0 { return moved; }
+    if below * reach == 0.0 { return moved; }
     let from_distance = dot(rest.xy, ahead);
     var distance = from_distance - below * reach;
     var width = 1.0;

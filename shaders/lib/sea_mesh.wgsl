@@ -16,7 +16,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
     let distance = length(rest);
     var moved = vec3f(0.0);
     var allowed = 0.0;
-    if frame.wave_height > 0.0 && !waves_are_pixels(distance) {
+    if (frame.wave_height > 0.0) & !waves_are_pixels(distance) {
         let displacement = displacement_at(rest, distance, spacing);
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
@@ -49,7 +49,7 @@ fn place_on_grid(grid: vec2f) -> Place {
 fn lifted(place: Place) -> Place {
     let distance = length(place.rest);
     let share = smoothstep(1.0, 2.0, distance * frame.pixel_angle / (4.0 * frame.crest_height));
-    if share <= 0.0 || frame.under_water == 1u { return place; }
+    if (share <= 0.0) | (frame.under_water == 1u) { return place; }
     let up = normal_delta(place.rest) + vec3f(0.0, 0.0, 1.0);
     var higher = place;
     higher.moved += LIFT_PIXELS * share * distance * frame.pixel_angle * up;

@@ -32,13 +32,10 @@ fn resolvable(footprint: Metres, patch_length: Metres) -> f32 {
 struct Shown { all: u32, clear: u32 }
 
 fn shown_cascades(footprint: Metres) -> Shown {
-    var shown = Shown(0u, 0u);
-    for (var c = 0u; c < frame.cascade_count; c++) {
-        let part = footprint / frame.patches[c];
-        shown.all += u32(part < 0.4);
-        shown.clear += u32(part < 1.0 / 12.0);
-    }
-    return shown;
+    // A patch that is not there is 0 m long.
+    let all = select(vec4u(0u), vec4u(1u), vec4f(footprint) < 0.4 * frame.patches);
+    let clear = select(vec4u(0u), vec4u(1u), vec4f(footprint) < frame.patches / 12.0);
+    return Shown(all.x + all.y + all.z + all.w, clear.x + clear.y + clear.z + clear.w);
 }
 
 fn any_resolvable(footprint: Metres) -> bool {

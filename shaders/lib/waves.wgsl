@@ -87,7 +87,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let far = weights.y * weights.y;
     var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
     let shown = shown_cascades(footprint);
-    for (var c = shown.all; c < frame.cascade_count; c++) { rough += near * cascade_slopes(c); }
+    for (var c = shown.all; c < CASCADES; c++) { rough += near * cascade_slopes(c); }
     var left = cells.cells;
     loop {
         let here = in_cell(firstTrailingBit(left), p, cells);
@@ -103,7 +103,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
                 let seen = around.fade * means.xy;
                 slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
                 rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
-                if c < shown.clear && frame.chop > 0.0 {
+                if (c < shown.clear) & (frame.chop > 0.0) {
                     let stretch = textureSampleLevel(stretches, repeated, laid.at, c, around.lod).xyz;
                     gradient += turned(w * frame.chop * stretch, laid.axis_x, laid.axis_y);
                 }

@@ -23,6 +23,7 @@ mod sparkle;
 mod spray;
 mod surface_sample;
 mod translucence;
+mod vertex_branches;
 mod water;
 mod wave_anchors;
 mod wave_domain;
