@@ -1,7 +1,6 @@
 // The earth from space, where no summit stands as high as a pixel is wide and no wave shows: ground and sea in one disc, whose pixels' own
 // rays meet the ellipsoid. It shows what land.wgsl and ocean.wgsl would. `MEASURED` is of src/pass/kind.rs.
 #import ground
-#import gusts
 #import lace
 #import limb
 #import output
@@ -71,7 +70,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
         let foam = mean_foam(calmed * share_from_afar(0.0, across / pow(grazing, 0.65)), calmed);
         let footprint = across / sqrt(grazing);
-        let rough = slopes_at(rest, distance, footprint).rough * gusts(point, sin_lat, footprint);
+        // No gust is as wide as its pixels.
+        let rough = slopes_at(rest, distance, footprint).rough;
         water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth), depth,
             water_kind(point, sin_lat, depth), lit.radiance, foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;

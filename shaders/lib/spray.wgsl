@@ -1,5 +1,5 @@
 // Spray that strong winds tear off crests: white air near the water, thinner with height; src/model/spray.rs has the numbers. Beyond it
-// is the air itself.
+// is the air itself. Who imports this declares SPRAY (src/pass/kind.rs): whether there is any.
 #import light
 
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
@@ -33,6 +33,10 @@ fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
 
 // Radiance of a surface in that daylight, through spray and air.
 fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres) -> vec3f {
+    if !SPRAY {
+        let air = haze(direction, distance);
+        return radiance * air.transmittance + air.radiance;
+    }
     let depth = spray_depth(direction.z, distance);
     let left = exp(-depth);
     // What thick spray shows is near.

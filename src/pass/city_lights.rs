@@ -25,9 +25,18 @@ const EDGE: f64 = 1.1;
 /// Sines of the sun's elevation between which lamps are lit.
 const DUSK: [f64; 2] = [-0.02, -0.12];
 
-/// The composed shader.
-pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/city_lights.wgsl"), "")
+/// From here on lamps are those of a globe without relief, m: the earth may be drawn as a disc.
+const SPACE_M: f64 = 500_000.0;
+/// Radiance of the brightest towns in units of the sun's irradiance beyond the air: a hundred times that of ground under the picture's full
+/// moon. Ten times would be theirs, but pictures of them are exposed for moonless land.
+const BRIGHTNESS: f64 = 0.05;
+/// Towns that add less to a pixel are not drawn; as the display's tone takes light.
+const FAINTEST: f64 = 0.003;
+
+/// The composed shader, for an eye over the ground or in space.
+pub fn source(from_space: bool) -> String {
+    let definitions = format!("const FROM_SPACE: bool = {from_space};\n");
+    shader::composed(include_str!("../../shaders/city_lights.wgsl"), &definitions)
 }
 
 /// A texel of the picture on the ellipsoid.
@@ -63,8 +72,8 @@ impl Town {
 /// The pass.
 pub struct CityLights {
     towns: Vec<Town>,
-    /// Those that may be in the picture.
-    lamps: Points,
+    /// Those that may be in the picture, for an eye over the ground and in space.
+    lamps: [Points; 2],
 }
 
 /// A town in a picture: which, how many lamps its pixels can show, and how much of its light is lit.
@@ -82,14 +91,16 @@ impl CityLights {
         surface: &wgpu::BindGroupLayout,
         formats: [wgpu::TextureFormat; 2],
     ) -> Self {
-        let lamps = Points::new(gpu, ("city lights", &source(), MOST), frame, surface, formats);
+        let lamps =
+            [false, true].map(|space| Points::new(gpu, ("city lights", &source(space), MOST), frame, surface, formats));
         Self { towns: city_lights().map(Town::new).collect(), lamps }
     }
 
     /// Lights the lamps that may be in a frame.
     pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame) -> &Points {
-        self.lamps.show(gpu, &lamps(&self.towns, frame));
-        &self.lamps
+        let shown = &mut self.lamps[usize::from(frame.camera.altitude_m > SPACE_M)];
+        shown.show(gpu, &lamps(&self.towns, frame));
+        shown
     }
 }
 
@@ -121,7 +132,7 @@ fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
             }
             // To a sphere's first order; the town is small.
             let normal = (enu * (town.normal + step / WGS84.a)).normalize() - up;
-            let light = lit * town.radiance * town.area() * weight(i) / total;
+            let light = BRIGHTNESS * lit * town.radiance * town.area() * weight(i) / total;
             lamps.push([normal.x as f32, normal.y as f32, normal.z as f32, light as f32, warm as f32]);
         }
     }
@@ -138,6 +149,7 @@ fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
     let farthest = horizon(frame.camera.altitude_m) + horizon(HIGHEST_M);
     let pixel = f64::from(u.pixel_angle);
     let faintest = if frame.quality == Quality::Low { FAINTEST_OF_LOW } else { 0.0 };
+    let shown = BRIGHTNESS * f64::from(u.exposure * u.night);
     let of = |(index, town): (usize, &Town)| {
         let lit = ((DUSK[0] - town.normal.dot(sun)) / (DUSK[0] - DUSK[1])).clamp(0.0, 1.0);
         let way = town.place - eye;
@@ -152,6 +164,9 @@ fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
         }
         let pixels =
             town.area() * (-way.dot(town.normal)).max(0.02 * distance) / distance.max(1.0).powi(3) / (pixel * pixel);
+        if lit * shown * town.radiance * pixels.max(1.0) < FAINTEST {
+            return None;
+        }
         Some(Seen { town: index, lamps: (pixels / PIXELS).clamp(1.0, MOST_OF_TOWN), lit })
     };
     towns.iter().enumerate().filter_map(of).collect()

@@ -13,24 +13,31 @@ pub struct Kind {
     pub measured: bool,
     /// The eye is in the sea.
     pub under_water: bool,
+    /// Spray in the air shows.
+    pub spray: bool,
 }
 
 impl Kind {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..4).map(|bits: u8| Self { measured: bits & 1 != 0, under_water: bits & 2 != 0 })
+        (0..8).map(|bits: u8| {
+            let [measured, under_water, spray] = [1, 2, 4].map(|bit| bits & bit != 0);
+            Self { measured, under_water, spray }
+        })
     }
 
     /// That of a frame; `over_ocean`: there is ocean at the eye's place, as only the world knows.
     pub fn of(frame: &Frame, over_ocean: bool) -> Self {
         let u = &frame.uniform;
-        Self { measured: u.output != 0, under_water: over_ocean && u.under_water != 0 }
+        Self { measured: u.output != 0, under_water: over_ocean && u.under_water != 0, spray: frame.has_spray() }
     }
 
     /// What a shader is told.
     pub fn definitions(self) -> String {
-        let Self { measured, under_water } = self;
-        format!("const MEASURED: bool = {measured};\nconst UNDER_WATER: bool = {under_water};\n")
+        let Self { measured, under_water, spray } = self;
+        [("MEASURED", measured), ("UNDER_WATER", under_water), ("SPRAY", spray)]
+            .map(|(name, value)| format!("const {name}: bool = {value};\n"))
+            .concat()
     }
 }
 

@@ -10,6 +10,7 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import spray
+const SPRAY = true;
 struct Asked { rise: f32, distance: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<vec2f>;

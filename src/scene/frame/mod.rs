@@ -70,6 +70,8 @@ const STARS_BELOW: f32 = -0.03;
 const LIGHTS_BELOW: f32 = 0.07;
 /// From here on stars are seen by day, metres: where the sky is dark.
 const STARS_ABOVE_M: f32 = 20_000.0;
+/// Less of the light than that is no spray, nor seen.
+const LEAST_SPRAY: f64 = 0.002;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -185,6 +187,14 @@ impl Frame {
     pub fn has_foam(&self) -> bool {
         self.nearest_sea_m() < foam::HIGHEST_M as f32
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
+    }
+
+    /// Whether spray hides anything: it does most where the sight along the horizon leaves it.
+    pub fn has_spray(&self) -> bool {
+        let (u, radius) = (&self.uniform, WGS84.a);
+        let [extinction, height] = [u.spray.x, u.spray.y].map(f64::from);
+        let over_horizon = f64::from(u.eye_altitude).max(height / std::f64::consts::PI);
+        extinction * height / (2.0 * over_horizon / (radius + over_horizon)).sqrt() > LEAST_SPRAY
     }
 
     /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high,
