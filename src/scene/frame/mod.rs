@@ -70,8 +70,6 @@ const STARS_BELOW: f32 = -0.03;
 const LIGHTS_BELOW: f32 = 0.07;
 /// From here on stars are seen by day, metres: where the sky is dark.
 const STARS_ABOVE_M: f32 = 20_000.0;
-/// Less of the light than that is no spray, nor seen.
-const LEAST_SPRAY: f64 = 0.002;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -189,12 +187,9 @@ impl Frame {
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
     }
 
-    /// Whether spray hides anything: it does most where the sight along the horizon leaves it.
+    /// Whether spray is seen.
     pub fn has_spray(&self) -> bool {
-        let (u, radius) = (&self.uniform, WGS84.a);
-        let [extinction, height] = [u.spray.x, u.spray.y].map(f64::from);
-        let over_horizon = f64::from(u.eye_altitude).max(height / std::f64::consts::PI);
-        extinction * height / (2.0 * over_horizon / (radius + over_horizon)).sqrt() > LEAST_SPRAY
+        self.uniform.spray.x > 0.0
     }
 
     /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high,
@@ -353,7 +348,8 @@ fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
     let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
-    u.spray = DVec2::new(extinction, spray::scale_height_m(sea.sea.hs_m)).as_vec2();
+    let height = spray::scale_height_m(sea.sea.hs_m);
+    u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
     u.mix_near = MIX_NEAR_M as f32;
