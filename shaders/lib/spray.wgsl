@@ -39,7 +39,8 @@ fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, di
     }
     let depth = spray_depth(direction.z, distance);
     let left = exp(-depth);
-    // What thick spray shows is near.
-    let air = haze(direction, distance * select((1.0 - left) / depth, 1.0, depth < 1e-3));
+    // What thick spray shows is its near side; from high above all of it is far away.
+    let inside = depth / frame.spray.x;
+    let air = haze(direction, distance - inside * select(1.0 - (1.0 - left) / depth, 0.0, depth < 1e-3));
     return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + air.radiance;
 }

@@ -13,13 +13,15 @@ use crate::scene::frame::{Frame, Output};
 use crate::scene::view::named::VIEWS;
 use crate::scene::view::state::ViewState;
 
+mod effects;
 mod heights;
+use effects::Effects;
 use heights::{Height, Heights};
 
-/// Measure the time of a frame at every named view, and what heights and meshes cost.
+/// Measure the time of a frame at every named view, and what heights, meshes and effects cost.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  ocean-globe bench                            two tables, 640x360
+  ocean-globe bench                            three tables, 640x360
   ocean-globe bench --size 1920x1080 -o bench.json
   ocean-globe bench --state '#view=35.68,-14.25,9,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=extreme' --size 1920x1080
                                                more than a million triangles, waves of 2048 x 2048
@@ -27,7 +29,8 @@ use heights::{Height, Heights};
 The second table draws one gale from five heights while the eye moves. Its shares say how much longer a frame takes
   tessellation   than on a grid of a sixteenth of the vertices
   updates        than with the same bisected triangles at rest
-  noise          than where the wave patches make the far sea as well, without the noise")]
+  noise          than where the wave patches make the far sea as well, without the noise
+The third says what share of a named view's frame goes when an effect of light is switched off.")]
 pub struct BenchArgs {
     /// Width and height in pixels.
     #[arg(long, default_value = "640x360")]
@@ -120,7 +123,7 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     }
     drop(renderer);
     println!("\n{}", Height::head());
-    let mut compared = Heights::new(&gpu, &args.data, target, size)?;
+    let mut compared = Heights::new(&gpu, &args.data, target.clone(), size)?;
     let mut records = Vec::new();
     for (name, state) in &heights {
         for height in compared.measure(state, args.frames)? {
@@ -128,9 +131,19 @@ pub fn run(args: &BenchArgs) -> Result<()> {
             records.push(height.json(name));
         }
     }
+    drop(compared);
+    println!("\n{}", Effects::head());
+    let mut effects = Effects::new(&gpu, &args.data, target, size)?;
+    let mut shares = Vec::new();
+    for (name, state) in &views {
+        let measured = effects.measure(state, args.frames)?;
+        println!("{}", Effects::row(name, &measured));
+        shares.push(Effects::json(name, &measured));
+    }
     let Some(path) = &args.output else { return Ok(()) };
     let record = serde_json::json!({
         "adapter": gpu.adapter, "size": size, "frames": args.frames, "views": rows, "heights": records,
+        "effects": shares,
     });
     std::fs::write(path, format!("{record:#}\n"))
         .map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))

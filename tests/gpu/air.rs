@@ -346,3 +346,42 @@ fn a_level_path_over_the_sea_is_as_hazy_as_an_oceans_air() {
         assert!((found[0] - left).abs() < 0.05 && (found[1] - added).abs() < 0.06, "{km} km: {found:?}");
     }
 }
+
+/// Of rays to the water: the air before it with spray in it, then the air alone, and the optical depth of the spray.
+const SPRAYED: &str = "#import spray
+const SPRAY = true;
+@group(2) @binding(0) var<storage, read> rays: array<vec4f>;
+@group(2) @binding(1) var<storage, read_write> with_spray: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> alone: array<vec4f>;
+@compute @workgroup_size(64)
+fn compare(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&rays) { return; }
+    let direction = rays[id.x].xyz;
+    let distance = surface_hit(eye_ray(direction));
+    let up = normal_delta(direction * distance) + vec3f(0.0, 0.0, 1.0);
+    let dark = Daylight(vec3f(0.0), vec3f(0.0));
+    let depth = spray_depth(direction.z, distance);
+    // Without light of its own: spray_light's share is taken off.
+    let seen = through_air(vec3f(0.0), dark, up, direction, distance);
+    let air = haze(direction, distance);
+    with_spray[id.x] = vec4f(seen - (1.0 - exp(-depth)) * spray_light(dark, up, direction) * air.transmittance, depth);
+    alone[id.x] = vec4f(air.radiance, distance);
+}";
+
+#[test]
+fn spray_far_below_takes_no_air_from_the_sight_of_it() {
+    let mut air = Air::<2>::new(SPRAYED, "compare");
+    let settings = Settings { beaufort: Some(8), ..Settings::default() };
+    for altitude_m in [3e3, 3e4, 5e5] {
+        let camera = Camera::from_degrees(0.0, -30.0, altitude_m, 0.0, 0.0);
+        let frame = Frame::new(&settings, &camera, 1_774_027_650.0, [640, 360]);
+        let rays = [1.0, 0.7, 0.4].map(|sine: f32| [(1.0 - sine * sine).sqrt(), 0.0, -sine, 0.0]);
+        let [with_spray, alone] = air.run(&frame, &rays);
+        for (found, wanted) in with_spray.iter().zip(&alone) {
+            println!("{altitude_m} m, {:.0} m away, spray of {:.4}: {found:.5?}, {wanted:.5?}", wanted[3], found[3]);
+            assert!(found[3] > 1e-3, "no spray: {found:?}");
+            // Half of the spray's own depth along the sight is the most that its air can be nearer: some metres of many kilometres.
+            assert!((0..3).all(|i| (found[i] / wanted[i] - 1.0).abs() < 0.01), "{altitude_m} m: {found:?}, {wanted:?}");
+        }
+    }
+}

@@ -65,6 +65,15 @@ fn the_record_of_a_height_is_that_of_its_frames() {
         }
     }
     assert!(grid["updates"].is_null() && number(bisect, "updates") > -1.0);
+
+    // What low quality, noon and a gale have of the effects, and what they do not.
+    let shares = &record["effects"][0]["shares"];
+    for has in ["sky", "foam", "spray"] {
+        assert!((-20.0..1.0).contains(&number(shares, has)), "{has}: {shares}");
+    }
+    for lacks in ["sparkle", "stars", "lights", "glow", "edges"] {
+        assert!(shares[lacks].is_null(), "{lacks}: {shares}");
+    }
 }
 
 /// Weight of the noise in each pixel, and the frame's dispatches.
