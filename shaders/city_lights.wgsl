@@ -10,7 +10,7 @@ const SHORE: Metres = 300.0;   // how far from the shore all lamps of a town sta
 
 // `lamp`: its normal less that of the eye's foot, and its light, of the sun's irradiance beyond the air times a square metre; `warm`: from white to orange.
 @vertex
-fn vertex(@builtin(vertex_index) corner: u32, @location(0) lamp: vec4f, @location(1) warm: f32) -> Spot {
+fn vertex(@builtin(vertex_index) index: u32, @location(0) lamp: vec4f, @location(1) warm: f32) -> Spot {
     let dn = lamp.xyz;
     let up = dn + vec3f(0.0, 0.0, 1.0);
     let rest = surface_from_normal_delta(dn);
@@ -35,5 +35,5 @@ fn vertex(@builtin(vertex_index) corner: u32, @location(0) lamp: vec4f, @locatio
     let light = colour * air * (frame.night * frame.exposure * tilt * dry * lamp.w / (TURN * spread * spread));
     let most = min(MOST / max(max(light.r, max(light.g, light.b)), 1e-9), 1.0);
     // The earth from space is a disc whose depth is not its own; there is nothing to hide a lamp but the limb.
-    return spot_at(clip, select(min(1.02 * clip.z / clip.w, 1.0), 1.0, FROM_SPACE), most * light, corner);
+    return spot_at(clip, select(min(1.02 * clip.z / clip.w, 1.0), 1.0, FROM_SPACE), most * light, index);
 }

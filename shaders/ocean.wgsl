@@ -1,5 +1,5 @@
 // The sea: either mesh (lib/sea_mesh.wgsl), shaded over what the land pass left. The water class
-// decides what is sea, never the depth buffer. `MEASURED` and `UNDER_WATER` are of src/pass/kind.rs; what of the sea shows at all
+// decides what is sea, never the depth buffer. `MEASURED`, `UNDER_WATER`, `SPRAY` and `FINE` are of src/pass/kind.rs; what of the sea shows at all
 // is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share.
 #import sea_mesh
 #import lace
@@ -108,7 +108,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        if frame.sparkles == 1u { facets = facets_at(foam_at, across, grazing); }
+        if FINE { facets = facets_at(foam_at, across, grazing); }
         foam = foam_of(calmed * foam_share(foam_at, in.height, foam_footprint), calmed, lace_at(foam_at, footprint));
     } else {
         foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
@@ -118,7 +118,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let bed = behind / max(frame.exposure, 1e-9);
     let kind = water_kind(point, sin_lat, depth);
     var glow = vec3f(0.0);
-    if WAVES {
+    if WAVES && FINE {
         let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
         glow = near * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }

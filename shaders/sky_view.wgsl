@@ -36,7 +36,7 @@ fn skies(@builtin(global_invocation_id) id: vec3u) {
     let air = shell_hits(sight.ray, TOP);
     var radiance = vec3f(0.0);
     // From high up a ray's air lies in the middle of its way.
-    if air.y > max(air.x, 0.0) { radiance = scatter(sight, max(air.x, 0.0), air.y, SKY_STEPS, 0.5 * eye_sink()).radiance; }
+    if air.y > max(air.x, 0.0) { radiance = scatter(sight, max(air.x, 0.0), air.y, SKY_STEPS, 0.5 * frame.air_sink).radiance; }
     textureStore(sky_table, id.xy, vec4f(radiance, 1.0));
 }
 
@@ -54,7 +54,7 @@ fn hazes(@builtin(global_invocation_id) id: vec3u) {
     var all = NOTHING_MET;
     var t = reach.x;
     for (var slice = 0u; slice < size.z; slice++) {
-        let next = mix(reach.x, reach.y, warped(f32(slice) / f32(size.z - 1u), eye_sink()));
+        let next = mix(reach.x, reach.y, warped(f32(slice) / f32(size.z - 1u), frame.air_sink));
         if slice > 0u && reach.x <= reach.y { all = stepped(sight, all, t, next); }
         t = next;
         textureStore(haze_table, vec3u(id.x, id.y, slice), vec4f(all.radiance, 1.0));

@@ -15,12 +15,12 @@ fn star_colour(index: f32) -> vec3f {
 
 // `star`: direction and magnitude.
 @vertex
-fn vertex(@builtin(vertex_index) corner: u32, @location(0) star: vec4f, @location(1) colour_index: f32) -> Spot {
+fn vertex(@builtin(vertex_index) index: u32, @location(0) star: vec4f, @location(1) colour_index: f32) -> Spot {
     let direction = star.xyz;
     let clip = frame.clip_from_local * vec4f(direction, 0.0);
     let sky = dot(sky_seen(direction) + night_sky(direction.z), vec3f(0.2126, 0.7152, 0.0722)) * frame.exposure / HIDING;
     let light = BRIGHTNESS * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
     // Behind the earth, behind the eye, or not to be seen.
     if surface_hit(eye_ray(direction)) >= 0.0 || clip.w <= 0.0 || light.g < 0.001 { return no_spot(); }
-    return spot_at(clip, 0.0, light, corner);
+    return spot_at(clip, 0.0, light, index);
 }

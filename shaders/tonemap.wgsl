@@ -16,18 +16,18 @@ const OUTSET = mat3x3f(
     -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
 const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
 const BRIGHTEST = 4.026069;
-const CONTRAST = 1.1;
 const SATURATION = 1.3;
 
-// The curve over the logarithm, 0...1 both.
+// The curve over the logarithm, 0...1 both, to the power of 1.1: a fit of its own, within 0.06 of a display's 255 steps, which spares a
+// power for each colour.
 fn agx_curve(x: vec3f) -> vec3f {
-    return ((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x * x + 0.1191 * x - 0.00232;
+    return ((((((3.5725 * x + 6.6677) * x - 35.057) * x + 34.741) * x - 10.247) * x + 1.3186) * x + 0.0028407) * x - 0.00022361;
 }
 
 // Display values, 0...1, of exposed radiance.
 fn displayed(radiance: vec3f) -> vec3f {
     let x = (log2(max(INSET * (BALANCE * radiance), vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
-    let toned = pow(max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0)), vec3f(CONTRAST));
+    let toned = max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0));
     let grey = dot(toned, vec3f(0.2126, 0.7152, 0.0722));
     return clamp(OUTSET * mix(vec3f(grey), toned, SATURATION), vec3f(0.0), vec3f(1.0));
 }

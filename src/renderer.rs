@@ -267,7 +267,7 @@ impl Renderer {
             }
             self.passes.draw_backdrop(&mut pass, targets);
         }
-        self.passes.draw_tone(encoder, targets, frame.glows(), target);
+        self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }
 
     /// Hands the frame to the GPU. Returns what kind of picture it is.

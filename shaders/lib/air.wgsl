@@ -15,7 +15,7 @@ fn haze(direction: vec3f, distance: Metres) -> Air {
     let reach = haze_reach(ray, below);
     if reach.x > reach.y { return Air(vec3f(0.0), vec3f(1.0)); }
     let size = vec3f(textureDimensions(haze_view));
-    let slice = unwarped(clamp((distance - reach.x) / (reach.y - reach.x), 0.0, 1.0), eye_sink());
+    let slice = unwarped(clamp((distance - reach.x) / (reach.y - reach.x), 0.0, 1.0), frame.air_sink);
     let row = select(row_above(bearing.mu, ray, SUMMIT), row_below(bearing.mu, ray), below);
     let first_above = f32(haze_first_above(u32(size.y)));
     let y = (0.5 + select(first_above + row * (size.y - first_above - 1.0), row * (first_above - 1.0), below)) / size.y;

@@ -17,9 +17,6 @@ fn warped(x: f32, sink: f32) -> f32 { return mix(x * x, x * (2.0 - x), sink); }
 
 fn unwarped(t: f32, sink: f32) -> f32 { return t / max(sink + sqrt(max(sink * sink + (1.0 - 2.0 * sink) * t, 0.0)), 1e-9); }
 
-// How much denser the air is at sea level than at the eye, 0…1: the more, the more of a ray's air lies at its far end.
-fn eye_sink() -> f32 { return 1.0 - exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT); }
-
 // Vertical at the eye, horizontal towards the sun, horizontal across.
 fn air_axes() -> mat3x3f {
     let up = normalize(frame.quadric_gradient);

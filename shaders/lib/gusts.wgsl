@@ -21,11 +21,15 @@ fn gusts(point: MapPoint, sin_lat: f32, footprint: Metres) -> f32 {
     let widest = SIDE / f32(1u << GUST_WIDEST) * sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     var sum = 0.0;
     var squares = 0.0;
-    for (var i = 0u; i < GUST_LEVELS; i++) {
+    // As in lib/waves.wgsl, the loop ends at its foot.
+    var i = 0u;
+    loop {
         // Cells narrower than three footprints do not show.
         let shown = smoothstep(3.0, 8.0, widest / f32(1u << (2u * i)) / footprint);
         sum += shown * (map_noise(at, GUST_WIDEST + 2u * i, i) - 0.5) / NOISE_DEVIATION;
         squares += shown * shown;
+        i++;
+        if i == GUST_LEVELS || widest / f32(1u << (2u * i)) <= 3.0 * footprint { break; }
     }
     let deviation = there * GUST_DEVIATION / sqrt(f32(GUST_LEVELS));
     return exp(deviation * sum - 0.5 * deviation * deviation * squares);

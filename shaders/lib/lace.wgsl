@@ -148,4 +148,15 @@ fn foam_of(share: f32, calmed: f32, seen: Lace) -> Foam {
 }
 
 // Foam in pixels that hide all of the lace.
-fn mean_foam(share: f32, calmed: f32) -> Foam { return foam_of(share, calmed, Lace(vec2f(0.0), vec2f(1.0), vec2f(0.0), vec2f(1.0))); }
+// It is foam_of where levels are hidden whole, with what is then known put in.
+fn mean_foam(share: f32, calmed: f32) -> Foam {
+    let quantile = normal_quantile(share);
+    let above = quantile * sqrt(1.0 + EDGE_RAMP * EDGE_RAMP);
+    let thick = normal_share((above - THICK_FROM) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
+    let film = film_opacity();
+    let white = THIN_FOAM * share + (1.0 - THIN_FOAM - film) * thick;
+    let threshold = max(normal_quantile(calmed * film_share()), quantile + FILM_AROUND);
+    let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
+        + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
+    return flat_foam(white + faint, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)));
+}

@@ -1,5 +1,5 @@
 // Where the sea's vertices are, of either mesh: on the ellipsoid, moved by the waves along its normal. Who imports this declares
-// `MEASURED`, `UNDER_WATER` and `WAVES`, as ocean.wgsl does.
+// `MEASURED`, `UNDER_WATER`, `FINE` and `WAVES`, as ocean.wgsl does.
 #import projected_grid
 #import bisected_mesh
 #import world
@@ -29,7 +29,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
 
 // The water a step beyond a place, as the eye sees it: level way, and how much higher. What `crest_light` takes.
 fn beyond(place: Place) -> vec2f {
-    if !WAVES || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
+    if !WAVES || !FINE || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
     let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
     let rest = place.rest + STEP_BEYOND * level;
     let there = place.allowed * displacement_at(rest, length(rest), place.spacing);

@@ -11,8 +11,8 @@ struct Spot {
 
 fn no_spot() -> Spot { return Spot(vec4f(2.0, 2.0, 0.0, 1.0), vec3f(0.0), vec2f(0.0)); }
 
-fn spot_at(clip: vec4f, depth: f32, light: vec3f, corner: u32) -> Spot {
-    let offset = array(vec2f(0.0, 2.0), vec2f(-1.7321, -1.0), vec2f(1.7321, -1.0))[corner] * REACH;
+fn spot_at(clip: vec4f, depth: f32, light: vec3f, index: u32) -> Spot {
+    let offset = array(vec2f(0.0, 2.0), vec2f(-1.7321, -1.0), vec2f(1.7321, -1.0))[index % 3u] * REACH;
     return Spot(vec4f(clip.xy / clip.w + 2.0 * offset / frame.viewport, depth, 1.0), light, offset);
 }
 

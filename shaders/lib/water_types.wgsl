@@ -1,5 +1,5 @@
 // Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid; what
-// lies between is mixed.
+// lies between is mixed. Who imports this declares FINE (src/pass/kind.rs): whether blooms show.
 #import map
 #import noise
 
@@ -30,7 +30,8 @@ fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let off_gyre = (s - 0.37) / 0.15;
     let cool = smoothstep(0.54, 0.82, s);
     let shelf = smoothstep(300.0, 30.0, depth);
-    let blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0;
+    var blooms = 0.0;
+    if FINE { blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0; }
     let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, smoothstep(0.42, 0.75, s)) + 2.0 * blooms;
     return clamp(found, frame.water_kinds.x, frame.water_kinds.y);
 }

@@ -5,7 +5,7 @@ use glam::{DVec3, DVec4};
 use super::points::{Point, Points};
 use crate::data::city_lights::{CityLight, TEXELS, city_lights};
 use crate::gpu::{Gpu, shader};
-use crate::model::earth::{self, Geodetic, WGS84};
+use crate::model::earth::{self, WGS84};
 use crate::model::noise::hash;
 use crate::scene::frame::Frame;
 use crate::scene::settings::Quality;
@@ -39,33 +39,44 @@ pub fn source(from_space: bool) -> String {
     shader::composed(include_str!("../../shaders/city_lights.wgsl"), &definitions)
 }
 
-/// A texel of the picture on the ellipsoid.
+/// A texel of the picture on the ellipsoid: small, since every frame of a night looks at all of them.
 struct Town {
     normal: DVec3,
-    place: DVec3,
-    east: DVec3,
-    north: DVec3,
-    /// Half of its sides, m.
-    half: [f64; 2],
     radiance: f64,
 }
 
+/// Half of a town's side along its meridian, m.
+const HALF_SIDE_M: f64 = 0.5 * std::f64::consts::PI * WGS84.a / TEXELS[1] as f64;
+
 impl Town {
     fn new(light: CityLight) -> Self {
-        let enu = earth::ecef_from_enu(light.lat, light.lon);
-        let side = std::f64::consts::PI * WGS84.a / f64::from(TEXELS[1]);
-        Self {
-            normal: enu.z_axis,
-            place: WGS84.ecef_from_geodetic(Geodetic { lat: light.lat, lon: light.lon, height: 0.0 }),
-            east: enu.x_axis,
-            north: enu.y_axis,
-            half: [0.5 * side * libm::cos(light.lat), 0.5 * side],
-            radiance: light.radiance,
-        }
+        Self { normal: earth::normal(light.lat, light.lon), radiance: light.radiance }
+    }
+
+    fn place(&self) -> DVec3 {
+        let scaled = DVec3::new(WGS84.a, WGS84.a, WGS84.b) * self.normal;
+        DVec3::new(WGS84.a, WGS84.a, WGS84.b) * scaled / scaled.length()
+    }
+
+    /// Cosine of the latitude.
+    fn cos_lat(&self) -> f64 {
+        self.normal.truncate().length()
+    }
+
+    /// Unit vectors to the east and to the north.
+    fn axes(&self) -> [DVec3; 2] {
+        let east = DVec3::new(-self.normal.y, self.normal.x, 0.0) / self.cos_lat().max(1e-9);
+        [east, self.normal.cross(east)]
+    }
+
+    /// Halves of its sides, m.
+    fn half(&self) -> [f64; 2] {
+        [HALF_SIDE_M * self.cos_lat(), HALF_SIDE_M]
     }
 
     fn area(&self) -> f64 {
-        4.0 * self.half[0] * self.half[1]
+        let [width, height] = self.half();
+        4.0 * width * height
     }
 }
 
@@ -98,10 +109,14 @@ impl CityLights {
 
     /// Lights the lamps that may be in a frame.
     pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame) -> &Points {
-        let shown = &mut self.lamps[usize::from(frame.camera.altitude_m > SPACE_M)];
+        let shown = &mut self.lamps[usize::from(is_from_space(frame))];
         shown.show(gpu, &lamps(&self.towns, frame));
         shown
     }
+}
+
+fn is_from_space(frame: &Frame) -> bool {
+    frame.camera.altitude_m > SPACE_M
 }
 
 fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
@@ -120,12 +135,13 @@ fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
         let weight = |i: usize| (count - i as f64).min(1.0) / libm::sqrt(1.0 + i as f64);
         let many = count.ceil() as usize;
         let total: f64 = (0..many).map(weight).sum();
+        let (middle, half, [east, north]) = (town.place() - eye, town.half(), town.axes());
         for i in 0..many {
             let [x, y, warm] = lamp(index, i);
-            let [dx, dy] = [x * town.half[0], y * town.half[1]];
-            let step = town.east * dx + town.north * dy;
+            let [dx, dy] = [x * half[0], y * half[1]];
+            let step = east * dx + north * dy;
             let sag = (dx * dx + dy * dy) / (2.0 * WGS84.a);
-            let place = enu * (town.place + step - town.normal * sag - eye);
+            let place = enu * (middle + step - town.normal * sag);
             let at: DVec4 = clip * place.extend(1.0);
             if at.w <= 0.0 || at.x.abs() > EDGE * at.w || at.y.abs() > EDGE * at.w {
                 continue;
@@ -149,13 +165,19 @@ fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
     let farthest = horizon(frame.camera.altitude_m) + horizon(HIGHEST_M);
     let pixel = f64::from(u.pixel_angle);
     let faintest = if frame.quality == Quality::Low { FAINTEST_OF_LOW } else { 0.0 };
+    let from_space = is_from_space(frame);
     let shown = BRIGHTNESS * f64::from(u.exposure * u.night);
     let of = |(index, town): (usize, &Town)| {
-        let lit = ((DUSK[0] - town.normal.dot(sun)) / (DUSK[0] - DUSK[1])).clamp(0.0, 1.0);
-        let way = town.place - eye;
+        let day = town.normal.dot(sun);
+        if day >= DUSK[0] || town.radiance < faintest {
+            return None;
+        }
+        let lit = ((DUSK[0] - day) / (DUSK[0] - DUSK[1])).min(1.0);
+        let way = town.place() - eye;
         let distance = way.length();
-        let reach = 2.0 * town.half[1];
-        if town.radiance < faintest || lit <= 0.0 || distance > farthest + reach {
+        let reach = 2.0 * HALF_SIDE_M;
+        // From space, what turns away lies behind the limb; nearer, high ground may look over the horizon.
+        if distance > farthest + reach || (from_space && way.dot(town.normal) >= 0.0) {
             return None;
         }
         let beside = (way.dot(forward) / distance).clamp(-1.0, 1.0).acos() - (reach / distance.max(reach)).asin();

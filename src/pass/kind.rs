@@ -15,27 +15,34 @@ pub struct Kind {
     pub under_water: bool,
     /// Spray in the air shows.
     pub spray: bool,
+    /// What a coarse picture does without: sparkle, light through crests, blooms in the water.
+    pub fine: bool,
 }
 
 impl Kind {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..8).map(|bits: u8| {
-            let [measured, under_water, spray] = [1, 2, 4].map(|bit| bits & bit != 0);
-            Self { measured, under_water, spray }
+        (0..16).map(|bits: u8| {
+            let [measured, under_water, spray, fine] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
+            Self { measured, under_water, spray, fine }
         })
     }
 
     /// That of a frame; `over_ocean`: there is ocean at the eye's place, as only the world knows.
     pub fn of(frame: &Frame, over_ocean: bool) -> Self {
         let u = &frame.uniform;
-        Self { measured: u.output != 0, under_water: over_ocean && u.under_water != 0, spray: frame.has_spray() }
+        Self {
+            measured: u.output != 0,
+            under_water: over_ocean && u.under_water != 0,
+            spray: frame.has_spray(),
+            fine: frame.is_fine(),
+        }
     }
 
     /// What a shader is told.
     pub fn definitions(self) -> String {
-        let Self { measured, under_water, spray } = self;
-        [("MEASURED", measured), ("UNDER_WATER", under_water), ("SPRAY", spray)]
+        let Self { measured, under_water, spray, fine } = self;
+        [("MEASURED", measured), ("UNDER_WATER", under_water), ("SPRAY", spray), ("FINE", fine)]
             .map(|(name, value)| format!("const {name}: bool = {value};\n"))
             .concat()
     }

@@ -3,6 +3,7 @@
 use super::points::{Point, Points};
 use crate::data::stars::{Star, stars};
 use crate::gpu::{Gpu, shader};
+use crate::model::earth::WGS84;
 use crate::scene::frame::Frame;
 use crate::scene::settings::Quality;
 
@@ -10,6 +11,8 @@ use crate::scene::settings::Quality;
 const EDGE: f64 = 1.1;
 /// The faintest stars of a picture of low quality, magnitudes: a fifth of all.
 const FAINTEST_OF_LOW: f64 = 4.5;
+/// How far the vertical may lean from the way to the earth's middle, and some more, radians.
+const FLATTENING_REACH: f64 = 0.01;
 
 /// The composed shader.
 pub fn source() -> String {
@@ -41,10 +44,13 @@ impl Stars {
         let axes = frame.from_j2000();
         let clip = frame.uniform.clip_from_local.as_dmat4();
         let faintest = if frame.quality == Quality::Low { FAINTEST_OF_LOW } else { f64::INFINITY };
+        // The earth hides what is nearer to the nadir than its limb; what is close to that the shader decides.
+        let to_middle = WGS84.a + frame.camera.altitude_m.max(0.0);
+        let behind = ((WGS84.b / to_middle).asin() - FLATTENING_REACH).cos();
         let standing = self.catalogue.iter().filter(|star| star.magnitude < faintest).filter_map(|star| {
             let direction = axes * star.direction;
             let at = clip * direction.extend(0.0);
-            let is_in = at.w > 0.0 && at.x.abs() < EDGE * at.w && at.y.abs() < EDGE * at.w;
+            let is_in = at.w > 0.0 && at.x.abs() < EDGE * at.w && at.y.abs() < EDGE * at.w && -direction.z < behind;
             let [x, y, z] = direction.as_vec3().to_array();
             is_in.then_some([x, y, z, star.magnitude as f32, star.colour_index as f32])
         });

@@ -35,7 +35,7 @@ fn compare(@builtin(global_invocation_id) id: vec3u) {
     var wanted = NOTHING_MET;
     if air.y > max(air.x, 0.0) {
         let sight = sight_along(ray, direction, frame.quadric_gradient, quadric_times(direction), frame.light);
-        let sink = eye_sink() * select(1.0, 0.5, distance > 1e8);
+        let sink = frame.air_sink * select(1.0, 0.5, distance > 1e8);
         wanted = scatter(sight, max(air.x, 0.0), min(air.y, distance), 256u, sink);
     }
     steps[id.x] = vec4f(wanted.radiance, 1.0);

@@ -11,6 +11,7 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import translucence
+const FINE = true;
 struct Asked { direction: vec3f, kind: f32, normal: vec3f, plume: f32, ahead: vec2f, unused: vec2f }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<vec4f>;

@@ -71,7 +71,7 @@ fn the_record_of_a_height_is_that_of_its_frames() {
     for has in ["sky", "foam", "spray"] {
         assert!((-20.0..1.0).contains(&number(shares, has)), "{has}: {shares}");
     }
-    for lacks in ["sparkle", "stars", "lights", "glow", "edges"] {
+    for lacks in ["stars", "lights", "fine", "edges"] {
         assert!(shares[lacks].is_null(), "{lacks}: {shares}");
     }
 }

@@ -24,27 +24,24 @@ enum Effect {
     Sky,
     /// Map, lace, bubbles and light of the foam.
     Foam,
-    /// Single facets that flash.
-    Sparkle,
     /// White air over a stormy sea.
     Spray,
     Stars,
     CityLights,
-    /// Light around what is brighter than the display.
-    Glow,
+    /// All that low quality does without: sparkle, light through crests, blooms, glow, faint cities.
+    Fine,
     /// Several samples a pixel along the edges of waves.
     SmoothEdges,
 }
 
 impl Effect {
-    const ALL: [(Self, &'static str); 8] = [
+    const ALL: [(Self, &'static str); 7] = [
         (Self::Sky, "sky"),
         (Self::Foam, "foam"),
-        (Self::Sparkle, "sparkle"),
         (Self::Spray, "spray"),
         (Self::Stars, "stars"),
         (Self::CityLights, "lights"),
-        (Self::Glow, "glow"),
+        (Self::Fine, "fine"),
         (Self::SmoothEdges, "edges"),
     ];
 
@@ -61,13 +58,12 @@ impl Effect {
                 // From space the whole globe is drawn at once, with all of its layers.
                 state.settings.layers.shows(layer) && without.is_globe() == frame.is_globe()
             }
-            Self::Sparkle => std::mem::take(&mut without.uniform.sparkles) == 1 && frame.has_foam(),
             Self::Spray => std::mem::take(&mut without.uniform.spray.x) > 0.0,
             Self::Stars => std::mem::take(&mut without.shows_stars),
             Self::CityLights => std::mem::take(&mut without.shows_city_lights),
-            Self::Glow => {
+            Self::Fine => {
                 without.quality = Quality::Low;
-                frame.glows() && !frame.has_smooth_edges(software)
+                frame.is_fine() && !frame.has_smooth_edges(software)
             }
             Self::SmoothEdges => {
                 without.quality = Quality::Medium;

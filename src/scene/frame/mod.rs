@@ -70,6 +70,8 @@ const STARS_BELOW: f32 = -0.03;
 const LIGHTS_BELOW: f32 = 0.07;
 /// From here on stars are seen by day, metres: where the sky is dark.
 const STARS_ABOVE_M: f32 = 20_000.0;
+/// Over which the air thins out by a factor of e, metres.
+const AIR_HEIGHT_M: f64 = 8_000.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -117,7 +119,6 @@ impl Frame {
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
         let foam_lifetime_s = set_foam(&mut uniform, wanted, camera, &whitecaps, &foam_eye);
-        uniform.sparkles = u32::from(settings.quality != Quality::Low);
         uniform.clock = waves::ticks_from_unix(unix_seconds) as u32;
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
@@ -138,8 +139,8 @@ impl Frame {
         }
     }
 
-    /// Whether the brightest parts of the picture glow.
-    pub fn glows(&self) -> bool {
+    /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
+    pub fn is_fine(&self) -> bool {
         self.quality != Quality::Low
     }
 
@@ -257,6 +258,7 @@ fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     // From below, the grid is that of the mirrored eye above the surface.
     let rise = above.max(-2.0 * h);
     u.eye_altitude = h as f32;
+    u.air_sink = -libm::expm1(-h.max(0.0) / AIR_HEIGHT_M) as f32;
     u.semi_major = a as f32;
     u.semi_minor = b as f32;
     u.quadric_diagonal = DVec3::new(q.x_axis.x, q.y_axis.y, q.z_axis.z).as_vec3();

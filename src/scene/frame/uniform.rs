@@ -193,8 +193,8 @@ gpu_struct! {
         water_kinds: [f32; 2] = "vec2f",
         /// Low bits of the instant, ticks of 2^-20 s.
         clock: u32 = "u32",
-        /// 1 where a counted number of facets lights a pixel near the eye, 0 where their mean does.
-        sparkles: u32 = "u32",
+        /// How much denser the air is at sea level than at the eye, 0 to 1: the more, the more of a ray's air lies at its far end.
+        air_sink: f32 = "f32",
         /// Spray in the air: extinction at the water, per metre, and the height over which it thins out by e, metres.
         spray: Vec2 = "vec2f",
         /// Light of the night over what is drawn with the sun's: more where the unit of light is the moon's.
