@@ -385,3 +385,40 @@ fn spray_far_below_takes_no_air_from_the_sight_of_it() {
         }
     }
 }
+
+/// Horizontal illuminance under a clear sky, lux, by the sun's elevation in degrees: P. Janiczek and J. DeYoung 1987, "Computer programs for
+/// sun and moon illuminance", US Naval Observatory Circular 171.
+fn naval_observatory_lux(elevation_deg: f64) -> f64 {
+    let fits = [
+        (20.0, [3.74, 3.97, -4.07, 1.47]),
+        (5.0, [3.05, 13.28, -45.98, 64.33]),
+        (-0.8, [2.88, 22.26, -207.64, 1034.30]),
+        (-5.0, [2.88, 21.81, -258.11, -858.36]),
+        (-12.0, [2.70, 12.17, -431.69, -1899.83]),
+    ];
+    let (_, factors) = fits.into_iter().find(|(from, _)| elevation_deg >= *from).expect("no deeper twilight");
+    let x = elevation_deg / 90.0;
+    10f64.powf(factors.iter().rev().fold(0.0, |sum, factor| sum * x + factor))
+}
+
+#[test]
+fn day_fades_into_twilight_as_it_is_measured() {
+    let elevations = [40.0, 60.0, 20.0, 10.0, 5.0, 2.0, 0.0, -2.0, -4.0, -6.0, -18.0];
+    let suns = elevations.map(|deg: f64| deg.to_radians().sin() as f32);
+    let found: Vec<f64> =
+        daylight_of_the_tables(&Settings::default(), &suns).into_iter().map(|[sun, sky]| sun + sky).collect();
+    // Pictures have a light of the night of their own, which is there by day, too.
+    let night = found[10];
+    for (deg, light) in elevations.iter().zip(&found).skip(1).take(9) {
+        let ours = (light - night) / (found[0] - night);
+        let measured = naval_observatory_lux(*deg) / naval_observatory_lux(40.0);
+        println!(
+            "sun at {deg} degrees: {ours:.6} of the light at 40, measured {measured:.6}, {:.2} of it",
+            ours / measured
+        );
+        // Clear days differ by a quarter. By twilight light has been scattered more than once, for which the air is taken to be even over
+        // half of the sky: too much, by half with the sun 2 degrees down, and more and more.
+        let most: f64 = if *deg >= 0.0 { 1.25 } else { 1.25 + 0.35 * -deg };
+        assert!((1.0 / most..most).contains(&(ours / measured)), "{deg} degrees: {ours}, measured {measured}");
+    }
+}
