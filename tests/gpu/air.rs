@@ -416,8 +416,8 @@ fn day_fades_into_twilight_as_it_is_measured() {
             "sun at {deg} degrees: {ours:.6} of the light at 40, measured {measured:.6}, {:.2} of it",
             ours / measured
         );
-        // Clear days differ by a quarter. By twilight light has been scattered more than once, for which the air is taken to be even over
-        // half of the sky: too much, by half with the sun 2 degrees down, and more and more.
+        // Clear days differ by a quarter. Twilight is too bright: 1.5 times with the sun 2 degrees down, 2.5 times at 6 degrees, while the
+        // light falls to a hundredth. A fifth of that is scattered more than once, the rest is not explained.
         let most: f64 = if *deg >= 0.0 { 1.25 } else { 1.25 + 0.35 * -deg };
         assert!((1.0 / most..most).contains(&(ours / measured)), "{deg} degrees: {ours}, measured {measured}");
     }
