@@ -12,6 +12,7 @@ mod foam_coverage;
 mod foam_history;
 mod foam_lace;
 mod foam_map;
+mod furnace;
 mod glitter;
 mod gusts;
 mod kernel;
