@@ -17,6 +17,18 @@
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
+// Radiance of the scene in a pixel.
+fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
+
+// The pixel of the scene that shows a place on the bed: `own`, where something else stands before it. Beside the picture its rim does.
+fn pixel_of_bed(own: vec2u, place: vec3f) -> vec2u {
+    let clip = frame.clip_from_local * vec4f(place, 1.0);
+    let shown = (vec2f(0.5, -0.5) * clip.xy / max(clip.w, NEAR) + 0.5) * frame.viewport;
+    let pixel = vec2u(clamp(shown, vec2f(0.0), frame.viewport - 1.0));
+    let is_hidden = textureLoad(scene_depth, pixel, 0) * nearest_bed(0.9 * clip.w) > NEAR;
+    return select(pixel, own, is_hidden);
+}
+
 struct Vertex {
     @builtin(position) position: vec4f,
     @location(0) rest: vec3f,          // on the ellipsoid
@@ -113,25 +125,29 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     } else {
         foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
     }
-    let behind = textureLoad(scene_colour, pixel, 0).rgb;
     let light = daylight_at(dot(frame.light, up));
-    let bed = behind / max(frame.exposure, 1e-9);
+    let behind = scene_radiance(pixel);
+    var bed = Bed(behind, 2.0 * depth);
+    if alpha < OPAQUE_ALPHA {
+        let sight = sight_to_bed(direction, normal, up, depth);
+        bed = Bed(scene_radiance(pixel_of_bed(pixel, moved + sight)), depth + length(sight));
+    }
     let kind = water_kind(point, sin_lat, depth);
     var glow = vec3f(0.0);
     if WAVES && FINE {
         let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
         glow = near * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }
-    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha, depth,
+    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow), light);
     // The bed has no air before it yet, land has.
-    var radiance = through_air(mix(bed, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);
-    if !ground.is_ocean { radiance = mix(bed, radiance, share); }
+    var radiance = through_air(mix(behind, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);
+    if !ground.is_ocean { radiance = mix(behind, radiance, share); }
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
         let step = select(limb.beyond, vec2f(0.0), misses);
         let beyond = clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0);
-        radiance = mix(textureLoad(scene_colour, vec2u(beyond), 0).rgb / max(frame.exposure, 1e-9), radiance, limb.share);
+        radiance = mix(scene_radiance(vec2u(beyond)), radiance, limb.share);
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);

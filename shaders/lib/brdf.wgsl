@@ -12,6 +12,10 @@ fn fresnel_water(cos_incident: f32) -> f32 {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
+// Share of diffuse light from below that the surface sends back down: what does not leave it, (1 - 0.066) / n² (J. Saunderson 1942, with
+// D. Judd's reflectance of 0.066 for diffuse light from above).
+const MIRRORED_BACK = 1.0 - (1.0 - 0.066) / (WATER_INDEX * WATER_INDEX);
+
 @group(1) @binding(10) var rough_mirrors: texture_2d<f32>;   // reflectance, sine of the elevation; of src/model/rough_water.rs
 
 struct Mirrored { reflectance: f32, sine: f32 }

@@ -4,8 +4,6 @@
 #import shore_pixels
 #import water
 
-const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
-
 const BEACH: Metres = 50.0;     // how wide beaches are
 
 // How wide a pixel is on ground that is seen aslant.
@@ -40,7 +38,7 @@ const LAKE_KIND = 2.5;             // of the water of lakes
 
 // A calm, deep lake.
 fn lake_water(direction: vec3f, up: vec3f) -> WaterPoint {
-    return WaterPoint(-direction, up, up, east_at(up), vec2f(0.002), 1.0, 20.0, LAKE_KIND, vec3f(0.0), flat_foam(0.0, 0.0),
+    return WaterPoint(-direction, up, up, east_at(up), vec2f(0.002), 1.0, LAKE_KIND, Bed(vec3f(0.0), 0.0), flat_foam(0.0, 0.0),
         MEAN_FACETS, vec3f(0.0));
 }
 

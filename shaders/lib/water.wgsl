@@ -5,6 +5,8 @@
 #import sparkle
 #import water_types
 
+const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
 }
@@ -16,6 +18,25 @@ fn along_wind(up: vec3f) -> vec3f {
     return normalize(wind + 1e-6 * vec3f(1.0, 0.0, 0.0));
 }
 
+// What lies under the water.
+struct Bed {
+    radiance: vec3f,       // of the dry bed in the same light
+    way: Metres,           // of the light: straight down to it, and up along the sight
+}
+
+// The way of a sight below the surface to a bed at a depth.
+fn sight_to_bed(direction: vec3f, normal: vec3f, up: vec3f, depth: Metres) -> vec3f {
+    let below = refract(direction, normal, 1.0 / WATER_INDEX);
+    // Where waves turn it up it ends somewhere all the same.
+    return below * depth / max(-dot(below, up), 0.3);
+}
+
+// Radiance below the surface of a bed, over what the water's index of refraction takes: wet, with the light that has been sent back to it.
+fn bed_radiance(bed: Bed, kind: f32, down: vec3f) -> vec3f {
+    let lit = bed.radiance * exp(-attenuation(kind) * bed.way);
+    return lit * (1.0 - MIRRORED_BACK) / (1.0 - MIRRORED_BACK * saturate(PI * lit / max(down, vec3f(1e-12))));
+}
+
 struct WaterPoint {
     to_eye: vec3f,
     up: vec3f,
@@ -23,9 +44,8 @@ struct WaterPoint {
     along: vec3f,          // unit vector along the wind
     rough: vec2f,          // unresolved slope variance along the wind and across it
     alpha: f32,
-    depth: Metres,
     kind: f32,             // of the water
-    bed: vec3f,            // radiance of what lies under the water
+    bed: Bed,
     foam: Foam,
     facets: Facets,
     glow: vec3f,           // radiance through crests, below the surface
@@ -51,8 +71,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
-    let bed = w.bed * exp(-2.0 * attenuation(w.kind) * w.depth);
-    let through = (mix(bed, body, w.alpha) + w.glow) * (1.0 - reflectance);
+    let through = (mix(bed_radiance(w.bed, w.kind, down), body, w.alpha) + w.glow) * (1.0 - reflectance);
     return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }
 

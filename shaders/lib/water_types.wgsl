@@ -1,6 +1,6 @@
 // Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid; what
 // lies between is mixed. Who imports this declares FINE (src/pass/kind.rs): whether blooms show.
-#import map
+#import world
 #import noise
 
 // The light that deep water sends back over what falls on it, as seen from above straight down: pi times the remote-sensing reflectance
@@ -23,15 +23,29 @@ fn attenuation(kind: f32) -> vec3f {
     return mix(green, vec3f(0.7, 0.5, 1.0), saturate(kind - 4.0));
 }
 
+// Level of the water tiles that tell coasts from the open sea: their distances reach 80 km at the equator.
+const COAST_LEVEL = 4u;
+
+// How much a place belongs to a coast: 1 at the shore, 0 from 50 km on.
+fn coastal(point: MapPoint, sin_lat: f32) -> f32 {
+    let page = pages_at(point, COAST_LEVEL).water;
+    if page.layer == 0u { return 0.0; }
+    let shore = bilinear(true, point, page).x * texel_metres(point, f32(page.level), sin_lat);
+    return 1.0 - smoothstep(0.0, 50000.0, shore);
+}
+
 // The kind of water at a place, within what the link allows. Without a map of chlorophyll: gyres are about 22 degrees from the equator;
-// beyond 33 water is greener, on shelves more so; warm shelves stay clear; blooms and eddies are 80 to 300 km wide. All ours.
+// beyond 33 water is greener, on shelves more so, and by the shore where rivers reach; warm shelves stay clear; blooms and eddies are 80 to
+// 300 km wide. All ours.
 fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let s = abs(sin_lat);
     let off_gyre = (s - 0.37) / 0.15;
     let cool = smoothstep(0.54, 0.82, s);
     let shelf = smoothstep(300.0, 30.0, depth);
+    let temperate = smoothstep(0.42, 0.75, s);
     var blooms = 0.0;
     if FINE { blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0; }
-    let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, smoothstep(0.42, 0.75, s)) + 2.0 * blooms;
+    let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, temperate)
+        + coastal(point, sin_lat) * mix(0.2, 0.8, temperate) + 2.0 * blooms;
     return clamp(found, frame.water_kinds.x, frame.water_kinds.y);
 }

@@ -67,7 +67,7 @@ pub fn water_alpha(rho_per_m: f64, depth_m: f64) -> f64 {
 pub const DEEP_REFLECTANCE: [f64; 3] = [0.0, 0.0043, 0.0265];
 
 /// Opacity from which on nothing of the bed can be seen: less than 1/250 of its light comes through. Equals `OPAQUE_ALPHA` in
-/// `shaders/land.wgsl`.
+/// `shaders/lib/water.wgsl`.
 pub const OPAQUE_ALPHA: f64 = 0.996;
 
 /// Depth in metres from which water is as opaque as [`OPAQUE_ALPHA`], ρ per metre.

@@ -23,7 +23,7 @@ fn glow(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
     let up = vec3f(0.0, 0.0, 1.0);
-    let water = WaterPoint(a.to_eye, up, a.normal, vec3f(1.0, 0.0, 0.0), a.rough * vec2f(1.2, 0.8), 0.0, 0.0, 1.0, vec3f(1.0),
+    let water = WaterPoint(a.to_eye, up, a.normal, vec3f(1.0, 0.0, 0.0), a.rough * vec2f(1.2, 0.8), 0.0, 1.0, Bed(vec3f(1.0), 0.0),
         flat_foam(a.white, 0.0), MEAN_FACETS, vec3f(0.0));
     found[id.x] = vec4f(water_radiance(water, daylight_at(dot(frame.light, up))), 1.0);
 }";

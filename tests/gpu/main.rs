@@ -2,6 +2,7 @@
 
 mod accesses;
 mod air;
+mod bed;
 mod bisection;
 mod bloom;
 mod ensemble;

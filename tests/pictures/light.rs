@@ -332,10 +332,14 @@ fn cool_shelves_are_green_and_gyres_blue() {
         let [_, g, b] = water(&mut renderer, place, &format!("2026-06-21T{hour}:00:00Z"), "auto");
         g / b
     };
-    let [sargasso, north_sea, java_sea] =
-        [("26,-60", "13"), ("54.5,3.5", "09"), ("-5,110", "02")].map(|(place, hour)| greenness(place, hour));
-    println!("green over blue: Sargasso Sea {sargasso:.2}, North Sea {north_sea:.2}, Java Sea {java_sea:.2}");
+    // The Dutch coast is 15 km from the last place, on the same shelf as the North Sea's middle.
+    let places = [("26,-60", "13"), ("54.5,3.5", "09"), ("-5,110", "02"), ("52.4,4.3", "09")];
+    let [sargasso, north_sea, java_sea, by_holland] = places.map(|(place, hour)| greenness(place, hour));
+    println!(
+        "green over blue: Sargasso Sea {sargasso:.2}, North Sea {north_sea:.2} and by Holland {by_holland:.2}, Java Sea {java_sea:.2}"
+    );
     assert!(north_sea > 2.0 * sargasso && java_sea < 0.75 * north_sea, "{sargasso} {north_sea} {java_sea}");
+    assert!(by_holland > 1.1 * north_sea, "{by_holland} {north_sea}");
 }
 
 #[test]
