@@ -73,7 +73,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         // No gust is as wide as its pixels.
         let rough = slopes_at(rest, distance, footprint).rough;
         water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth),
-            water_kind(point, sin_lat, depth), Bed(lit.radiance, depth + length(sight_to_bed(direction, up, up, depth))), foam, MEAN_FACETS, vec3f(0.0));
+            water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth), foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light), water_share);

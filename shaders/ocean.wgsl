@@ -128,7 +128,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let light = daylight_at(dot(frame.light, up));
     let behind = scene_radiance(pixel);
     var bed = Bed(behind, 2.0 * depth);
-    if alpha < OPAQUE_ALPHA {
+    if FINE && alpha < OPAQUE_ALPHA {
         let sight = sight_to_bed(direction, normal, up, depth);
         bed = Bed(scene_radiance(pixel_of_bed(pixel, moved + sight)), depth + length(sight));
     }

@@ -1,5 +1,5 @@
 // Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid; what
-// lies between is mixed. Who imports this declares FINE (src/pass/kind.rs): whether blooms show.
+// lies between is mixed. Who imports this declares FINE (src/pass/kind.rs): whether blooms and coasts show.
 #import world
 #import noise
 
@@ -44,8 +44,12 @@ fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let shelf = smoothstep(300.0, 30.0, depth);
     let temperate = smoothstep(0.42, 0.75, s);
     var blooms = 0.0;
-    if FINE { blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0; }
+    var coast = 0.0;
+    if FINE {
+        blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0;
+        coast = coastal(point, sin_lat);
+    }
     let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, temperate)
-        + coastal(point, sin_lat) * mix(0.2, 0.8, temperate) + 2.0 * blooms;
+        + coast * mix(0.2, 0.8, temperate) + 2.0 * blooms;
     return clamp(found, frame.water_kinds.x, frame.water_kinds.y);
 }

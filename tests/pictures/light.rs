@@ -288,7 +288,7 @@ fn the_ocean_from_space_is_as_bright_as_it_is() {
 
 /// Radiance straight down from 60 m over a place, without foam.
 fn water(renderer: &mut Renderer, place: &str, time: &str, kind: &str) -> [f64; 3] {
-    let link = format!("#view={place},60,0,0&wind=3@90&layers=-foam&quality=low&time={time}&water={kind}");
+    let link = format!("#view={place},60,0,0&wind=3@90&layers=-foam&time={time}&water={kind}");
     let state = render::parse_state(&link).unwrap();
     let values = render::measure(renderer, &state, [32, 32], LayerName::Radiance).unwrap().values;
     let pixels = values.len() as f64 / 3.0;
