@@ -56,7 +56,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let point = map_point(dn);
     let across = distance * frame.pixel_angle;
     let ground = ground_at(point, sin_lat, max(across, 1.0));
-    let light = daylight_at(dot(frame.light, up));
+    var light = daylight_at(dot(frame.light, up));
+    if CLOUDS { light = clouded_daylight(light, rest, up, across); }
     let ground_across = ground_footprint(across, direction, up);
     let lit = lit_ground(point, sin_lat, up, ground, ground_across, light);
 
@@ -64,7 +65,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ocean = ocean_share(ground, ground_across);
     let depth = ocean_depth(ground, ground_across);
     let grazing = max(abs(dot(direction, up)), 0.002);
-    var water = lake_water(direction, up);
+    var water = lake_water(rest, direction, up);
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
@@ -72,7 +73,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.
         let rough = slopes_at(rest, distance, footprint).rough;
-        water = WaterPoint(-direction, up, up, along_wind(up), rough, water_alpha(depth),
+        water = WaterPoint(rest, -direction, up, up, along_wind(up), rough, water_alpha(depth),
             water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth), foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;
     }

@@ -108,10 +108,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         }
     }
 
-    let light = daylight_at(dot(frame.light, up));
+    var light = daylight_at(dot(frame.light, up));
+    if CLOUDS { light = clouded_daylight(light, direction * distance, up, footprint); }
     let lit = lit_ground(at.point, at.sin_lat, up, ground, footprint, light);
     var radiance = lit.radiance;
-    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction, up), light), lake_share(ground, footprint)); }
+    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light), lake_share(ground, footprint)); }
     if UNDER_WATER {
         // Less of the sun reaches the deep bed.
         let lit = radiance * exp(attenuation(eye_kind()) * min(ground.elevation, 0.0));

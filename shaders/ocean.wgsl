@@ -125,7 +125,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     } else {
         foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
     }
-    let light = daylight_at(dot(frame.light, up));
+    var light = daylight_at(dot(frame.light, up));
+    if CLOUDS { light = clouded_daylight(light, rest, up, footprint); }
     let behind = scene_radiance(pixel);
     var bed = Bed(behind, 2.0 * depth);
     if FINE && alpha < OPAQUE_ALPHA {
@@ -138,7 +139,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
         glow = near * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }
-    let water = water_radiance(WaterPoint(-direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
+    let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow), light);
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);

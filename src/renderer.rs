@@ -4,11 +4,13 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
-use crate::gpu::drawing::begin;
+use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
 use crate::pass::city_lights::CityLights;
+use crate::pass::cloud_map::CloudMap;
+use crate::pass::clouds::Clouds;
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
@@ -57,12 +59,14 @@ pub struct Renderer {
     air_table: AirTable,
     sky_table: SkyTable,
     sky_view: SkyView,
+    cloud_map: CloudMap,
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
     /// Where the radiance's format blends.
     stars: Option<Stars>,
     city_lights: Option<CityLights>,
+    clouds: Option<Clouds>,
     globe: Globe,
     land: Land,
     ocean: Ocean,
@@ -106,7 +110,8 @@ impl Renderer {
         let rough = rough_table::view(&gpu);
         let SkyTable { radiance: sky_radiance, irradiance, .. } = &sky_table;
         let light = [sky_radiance, irradiance, &sky_view.sky, &sky_view.haze, &air_table.transmittance, &rough];
-        let surface = Surface::new(&gpu, frame, light.map(Clone::clone));
+        let cloud_map = CloudMap::new(&gpu);
+        let surface = Surface::new(&gpu, frame, light.map(Clone::clone), &cloud_map.levels);
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
         let blends = radiance == Radiance::Half.format();
@@ -114,6 +119,7 @@ impl Renderer {
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
+            clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
             globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
@@ -125,6 +131,7 @@ impl Renderer {
             air_table,
             sky_table,
             sky_view,
+            cloud_map,
             surface,
             mesh,
             targets: None,
@@ -218,7 +225,11 @@ impl Renderer {
         }
         self.air_table.prepare(&frame.uniform);
         self.sky_table.prepare(&frame.uniform);
+        if let Some(weather) = frame.weather.filter(|_| frame.has_light()) {
+            self.cloud_map.prepare(&self.gpu, weather);
+        }
         self.dispatches = self.air_table.dispatches()
+            + self.cloud_map.dispatches()
             + self.sky_table.dispatches()
             + self.sky_view.dispatches()
             + self.surface.dispatches()
@@ -236,9 +247,11 @@ impl Renderer {
             self.air_table.dispatch(&mut pass, frame_group);
             self.sky_table.dispatch(&mut pass, frame_group, &self.air_table.group);
             self.sky_view.dispatch(&mut pass, frame_group, &self.air_table.group);
+            self.cloud_map.dispatch(&mut pass);
             self.surface.dispatch(&mut pass, frame_group);
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }
+        let clouds = self.clouds.as_ref().filter(|_| is_seen && frame.weather.is_some());
         let surface = self.surface.group();
         let layers = frame.uniform.layers;
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
@@ -260,12 +273,19 @@ impl Renderer {
             }
             points.for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
+            // Waves stand before clouds that are above the eye.
+            if let Some(clouds) = clouds.filter(|_| !frame.is_above_clouds()) {
+                clouds.draw(&mut resume(encoder, "clouds", &targets.scene), false, frame_group, surface);
+            }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
             if layers & SHOWS_SEA != 0 {
                 self.ocean.draw(&mut pass, (frame, look, targets.samples()), frame_group, surface, self.mesh.drawn());
             }
             self.passes.draw_backdrop(&mut pass, targets);
+        }
+        if let Some(clouds) = clouds.filter(|_| frame.is_above_clouds()) {
+            clouds.draw(&mut resume(encoder, "clouds", &radiance), self.visible.is_none(), frame_group, surface);
         }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }
@@ -292,6 +312,9 @@ impl Renderer {
         }
         let targets = Targets::new(&self.gpu, frame.size, self.radiance_format, samples, &self.passes);
         self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
+        if let Some(clouds) = &mut self.clouds {
+            clouds.set_scene(&self.gpu, &targets.scene_depth);
+        }
         self.targets = Some(targets);
     }
 

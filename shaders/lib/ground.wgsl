@@ -37,8 +37,8 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprin
 const LAKE_KIND = 2.5;             // of the water of lakes
 
 // A calm, deep lake.
-fn lake_water(direction: vec3f, up: vec3f) -> WaterPoint {
-    return WaterPoint(-direction, up, up, east_at(up), vec2f(0.002), 1.0, LAKE_KIND, Bed(vec3f(0.0), 0.0), flat_foam(0.0, 0.0),
+fn lake_water(at: vec3f, direction: vec3f, up: vec3f) -> WaterPoint {
+    return WaterPoint(at, -direction, up, up, east_at(up), vec2f(0.002), 1.0, LAKE_KIND, Bed(vec3f(0.0), 0.0), flat_foam(0.0, 0.0),
         MEAN_FACETS, vec3f(0.0));
 }
 

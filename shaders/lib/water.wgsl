@@ -1,4 +1,5 @@
 // Radiance of a water surface towards the eye: reflected sky and sun, the water body's own light, the bed seen through it.
+#import clouds
 #import light
 #import brdf
 #import foam_light
@@ -38,6 +39,7 @@ fn bed_radiance(bed: Bed, kind: f32, down: vec3f) -> vec3f {
 }
 
 struct WaterPoint {
+    at: vec3f,             // where, metres of the local frame
     to_eye: vec3f,
     up: vec3f,
     normal: vec3f,
@@ -63,7 +65,9 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     var mirrored = mean.sine * w.normal + sqrt(max(1.0 - mean.sine * mean.sine, 0.0)) * away / max(length(away), 1e-6);
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
-    let reflected = sky_at_sea(mirrored, w.up) * reflectance;
+    var sky = sky_at_sea(mirrored, w.up);
+    if CLOUDS { sky = clouded_sky(sky, w.at, mirrored, w.up); }
+    let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = sun * mean_glitter.radiance;
     // Where the sky outshines the mean of the facets single ones do not stand out.

@@ -15,6 +15,25 @@ impl<'a> From<&'a wgpu::TextureView> for Colour<'a> {
     }
 }
 
+/// A render pass over what a target holds.
+pub fn resume<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    view: &'a wgpu::TextureView,
+) -> wgpu::RenderPass<'a> {
+    let ops = wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store };
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops,
+        })],
+        ..Default::default()
+    })
+}
+
 /// A render pass over one colour target; the depth, where there is one, begins infinitely far and is kept or not.
 pub fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,

@@ -6,6 +6,7 @@
 
 pub mod beach;
 pub mod cascade;
+pub mod clouds;
 pub mod cuboid;
 pub mod daylight;
 pub mod dispersion;

@@ -17,14 +17,16 @@ pub struct Kind {
     pub spray: bool,
     /// What a coarse picture does without: sparkle, light through crests, blooms in the water.
     pub fine: bool,
+    /// There are clouds.
+    pub clouds: bool,
 }
 
 impl Kind {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..16).map(|bits: u8| {
-            let [measured, under_water, spray, fine] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
-            Self { measured, under_water, spray, fine }
+        (0..32).map(|bits: u8| {
+            let [measured, under_water, spray, fine, clouds] = [1, 2, 4, 8, 16].map(|bit| bits & bit != 0);
+            Self { measured, under_water, spray, fine, clouds }
         })
     }
 
@@ -36,13 +38,14 @@ impl Kind {
             under_water: over_ocean && u.under_water != 0,
             spray: frame.has_spray(),
             fine: frame.is_fine(),
+            clouds: frame.weather.is_some() && u.output == 0,
         }
     }
 
     /// What a shader is told.
     pub fn definitions(self) -> String {
-        let Self { measured, under_water, spray, fine } = self;
-        [("MEASURED", measured), ("UNDER_WATER", under_water), ("SPRAY", spray), ("FINE", fine)]
+        let Self { measured, under_water, spray, fine, clouds } = self;
+        [("MEASURED", measured), ("UNDER_WATER", under_water), ("SPRAY", spray), ("FINE", fine), ("CLOUDS", clouds)]
             .map(|(name, value)| format!("const {name}: bool = {value};\n"))
             .concat()
     }

@@ -5,6 +5,8 @@ pub mod backdrop;
 pub mod bisect;
 pub mod bloom;
 pub mod city_lights;
+pub mod cloud_map;
+pub mod clouds;
 pub mod due;
 pub mod fft;
 pub mod foam;

@@ -11,6 +11,8 @@ pub enum Layer {
     Foam,
     /// The sky.
     Sky,
+    /// The clouds.
+    Clouds,
     /// The stars.
     Stars,
     /// The lights of cities.
@@ -21,11 +23,12 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer with its id in links.
-    pub const ALL: [(Self, &'static str); 7] = [
+    pub const ALL: [(Self, &'static str); 8] = [
         (Self::Land, "land"),
         (Self::Sea, "sea"),
         (Self::Foam, "foam"),
         (Self::Sky, "sky"),
+        (Self::Clouds, "clouds"),
         (Self::Stars, "stars"),
         (Self::Lights, "lights"),
         (Self::Credits, "credits"),

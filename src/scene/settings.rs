@@ -190,6 +190,8 @@ pub struct Settings {
     pub layers: Layers,
     /// Optical depth of the air's aerosol at 550 nm, straight up, 0 to [`HAZIEST`]: 0.05 to 0.2 over oceans.
     pub haze: f64,
+    /// Share of the earth under clouds, 0 to 1.
+    pub clouds: f64,
     /// The sea's water.
     pub water: Water,
     /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3. Not part of a link.
@@ -212,6 +214,7 @@ impl Default for Settings {
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,
+            clouds: 0.0,
             water: Water::Auto,
             water_density_per_m: 0.2,
         }

@@ -37,6 +37,7 @@ fn bad(text: &str) {
         "chop" => expected.settings.chop = before.settings.chop,
         "foam" => expected.settings.foam = before.settings.foam,
         "haze" => expected.settings.haze = before.settings.haze,
+        "clouds" => expected.settings.clouds = before.settings.clouds,
         "water" => expected.settings.water = before.settings.water,
         "time" => expected.time = before.time,
         "rate" => expected.rate = before.rate,
@@ -72,6 +73,7 @@ fn other_than_default() -> ViewState {
             quality: Quality::High,
             layers,
             haze: 0.15,
+            clouds: 0.35,
             water: Water::Coastal,
             water_density_per_m: 0.3,
         },
@@ -87,7 +89,7 @@ fn every_key_is_written_in_the_order_of_the_table() {
     assert_eq!(
         text,
         "view=35.6812,-14.25,560,120,78&ride=1&wind=13.9@240&bft=7&spectrum=phillips&fetch=300&swell=2.5,14,310\
-         &chop=0.8&foam=0.5,10&haze=0.15&water=coastal&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
+         &chop=0.8&foam=0.5,10&haze=0.15&clouds=0.35&water=coastal&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
     );
     let mut read = good(&text);
     // The water's density is the panel's alone.
@@ -102,7 +104,7 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
     assert_eq!(state.format_fragment(None), "");
     assert_eq!(good(""), state);
     assert_eq!(good("#"), state);
-    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&water=auto&time=now&rate=1&seed=0\
+    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0&water=auto&time=now&rate=1&seed=0\
                  &quality=auto&v=1&layers=";
     assert_eq!(good(table), state);
     let s = state.settings;
@@ -159,6 +161,7 @@ fn every_name_of_the_table_is_read() {
     assert_eq!(bisected("mesh=bisect,9"), (Mesh::Bisect, Triangles { pixels: 9.0, ..default }));
     assert_eq!(bisected("mesh=bisect,1e9,5"), (Mesh::Bisect, Triangles { pixels: 64.0, budget: 1_000 }));
     assert_eq!(["haze=-1", "haze=0.123", "haze=9"].map(|text| good(text).settings.haze), [0.0, 0.123, 0.5]);
+    assert_eq!(["clouds=-1", "clouds=0.123", "clouds=9"].map(|text| good(text).settings.clouds), [0.0, 0.123, 1.0]);
     let layers = good("layers=-sea,-sky,land").settings.layers;
     assert!(!layers.shows(Layer::Sea) && !layers.shows(Layer::Sky) && layers.shows(Layer::Land));
     let (state, errors) = ViewState::parse_fragment("layers=-sea,-krakens", None);
@@ -214,6 +217,7 @@ fn a_bad_pair_is_reported_and_leaves_the_last_good_value() {
         "foam=1,2,3",
         "foam=1,2,height,4",
         "haze=thick",
+        "clouds=many",
         "water=wine",
         "time=tomorrow",
         "time=2026-13-01T00:00:00Z",

@@ -29,6 +29,7 @@ fn is_valid(state: &ViewState) -> bool {
         && in_range(s.foam.amount, 0.0, 3.0)
         && in_range(s.foam.lifetime_s, 0.1, 60.0)
         && in_range(s.haze, 0.0, 0.5)
+        && in_range(s.clouds, 0.0, 1.0)
         && in_range(state.rate, -1000.0, 1000.0)
         && time_ok
 }
@@ -62,6 +63,7 @@ fn ten_thousand_hostile_fragments_leave_a_valid_state() {
         "chop",
         "foam",
         "haze",
+        "clouds",
         "water",
         "time",
         "rate",
@@ -208,7 +210,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
     let swell = swell.prop_map(|(height_m, period_s, from_deg)| Swell { height_m, period_s, from_deg });
     let rule = prop_oneof![Just(FoamRule::Folding), Just(FoamRule::Height)];
     let foam = (0.0..=3.0, 0.1..=60.0, rule).prop_map(|(amount, lifetime_s, rule)| Foam { amount, lifetime_s, rule });
-    let layers = (0u32..32).prop_map(|bits| {
+    let layers = (0u32..1 << Layer::ALL.len()).prop_map(|bits| {
         let mut layers = Layers::default();
         Layer::ALL.iter().enumerate().for_each(|(i, &(layer, _))| layers.set(layer, bits >> i & 1 == 1));
         layers
@@ -216,7 +218,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
     let settings = (
         (wind, proptest::option::of(0u8..=12), 0usize..7, proptest::option::of(1.0..=5000.0)),
         (proptest::option::of(swell), 0.0..=2.0, foam, any::<u32>()),
-        (0usize..2, 0usize..5, layers, (0u16..=500).prop_map(|haze| f64::from(haze) / 1000.0), 0usize..7),
+        (0usize..2, 0usize..5, layers, (0u16..=500, 0u16..=1000), 0usize..7),
     );
     let settings =
         settings.prop_map(|((wind, beaufort, spectrum, fetch_km), (swell, chop, foam, seed), rest)| Settings {
@@ -231,7 +233,8 @@ fn any_state() -> impl Strategy<Value = ViewState> {
             mesh: Mesh::ALL[rest.0].0,
             quality: Quality::ALL[rest.1].0,
             layers: rest.2,
-            haze: rest.3,
+            haze: f64::from(rest.3.0) / 1000.0,
+            clouds: f64::from(rest.3.1) / 1000.0,
             water: Water::ALL[rest.4].0,
             ..Settings::default()
         });
@@ -278,6 +281,7 @@ proptest! {
             prop_assert!((w.period_s - x.period_s).abs() <= 0.0005 + 1e-9);
         }
         prop_assert_eq!((s.beaufort, s.spectrum, s.seed, s.haze, s.water), (t.beaufort, t.spectrum, t.seed, t.haze, t.water));
+        prop_assert_eq!(s.clouds, t.clouds);
         prop_assert_eq!((s.mesh, s.quality, s.layers, state.ride), (t.mesh, t.quality, t.layers, read.ride));
         prop_assert!((state.rate - read.rate).abs() <= 5e-7 + 1e-9);
         match (state.time, read.time) {

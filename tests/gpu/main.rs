@@ -5,6 +5,7 @@ mod air;
 mod bed;
 mod bisection;
 mod bloom;
+mod clouds;
 mod ensemble;
 mod exact;
 mod far_sea;

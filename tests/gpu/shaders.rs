@@ -13,8 +13,8 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, city_lights, fft, foam, globe, land, ocean, perlin, sky, sky_table, sky_view,
-    stars, tonemap,
+    air_table, backdrop, bisect, bloom, city_lights, cloud_map, clouds, fft, foam, globe, land, ocean, perlin, sky,
+    sky_table, sky_view, stars, tonemap,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -36,6 +36,9 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("pane.wgsl", pane::source(panel::ground_colour(), false)),
         ("city_lights.wgsl", city_lights::source(false)),
         ("city_lights.wgsl", city_lights::source(true)),
+        ("cloud_map.wgsl", cloud_map::source()),
+        ("clouds.wgsl", clouds::source(false)),
+        ("clouds.wgsl", clouds::source(true)),
         ("foam.wgsl", foam::source()),
         ("mips.wgsl", mips::source("rgba16float")),
         ("perlin.wgsl", perlin::source()),

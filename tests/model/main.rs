@@ -1,6 +1,7 @@
 //! The science on its own: nothing here opens a file of the world or asks for a device.
 
 mod beach;
+mod clouds;
 mod dispersion;
 mod ensemble;
 mod floors;

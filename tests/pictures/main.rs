@@ -2,6 +2,7 @@
 
 mod any_view;
 mod bench;
+mod clouds;
 mod edges;
 mod flight;
 mod hidden_window;

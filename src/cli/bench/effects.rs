@@ -26,6 +26,7 @@ enum Effect {
     Foam,
     /// White air over a stormy sea.
     Spray,
+    Clouds,
     Stars,
     CityLights,
     /// All that low quality does without: sparkle, light through crests, blooms, glow, faint cities.
@@ -35,10 +36,11 @@ enum Effect {
 }
 
 impl Effect {
-    const ALL: [(Self, &'static str); 7] = [
+    const ALL: [(Self, &'static str); 8] = [
         (Self::Sky, "sky"),
         (Self::Foam, "foam"),
         (Self::Spray, "spray"),
+        (Self::Clouds, "clouds"),
         (Self::Stars, "stars"),
         (Self::CityLights, "lights"),
         (Self::Fine, "fine"),
@@ -59,6 +61,7 @@ impl Effect {
                 state.settings.layers.shows(layer) && without.is_globe() == frame.is_globe()
             }
             Self::Spray => std::mem::take(&mut without.uniform.spray.x) > 0.0,
+            Self::Clouds => without.weather.take().is_some(),
             Self::Stars => std::mem::take(&mut without.shows_stars),
             Self::CityLights => std::mem::take(&mut without.shows_city_lights),
             Self::Fine => {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec2, DVec3, DVec4, Mat4, Vec2, Vec4};
 
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
+use crate::model::clouds::{self, Weather};
 use crate::model::earth::{self, WGS84};
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::{self, MAX_CELLS};
@@ -47,6 +48,8 @@ pub struct Frame {
     pub shows_stars: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
     pub shows_city_lights: bool,
+    /// The clouds' weather, where there are clouds.
+    pub weather: Option<Weather>,
     /// How much the picture may cost.
     pub quality: Quality,
     /// Where the bisected mesh shall be refined, when it is drawn.
@@ -107,6 +110,7 @@ impl Frame {
         set_light(&mut uniform, settings.haze, camera, unix_seconds);
         set_sea(&mut uniform, settings, &sea);
         set_gusts(&mut uniform, settings.wind_from());
+        let weather = set_clouds(&mut uniform, settings, camera, unix_seconds);
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
         uniform.wave_cell_count = count;
@@ -132,6 +136,7 @@ impl Frame {
             foam_lifetime_s,
             shows_stars: stars_show(&uniform, settings),
             shows_city_lights: city_lights_show(&uniform, settings),
+            weather,
             quality: settings.quality,
             bisection,
             uniform,
@@ -186,6 +191,11 @@ impl Frame {
     pub fn has_foam(&self) -> bool {
         self.nearest_sea_m() < foam::HIGHEST_M as f32
             || self.nearest_sea_m() * self.uniform.pixel_angle < LACE_BLURRED_M
+    }
+
+    /// Whether clouds may stand before land and sea.
+    pub fn is_above_clouds(&self) -> bool {
+        self.camera.altitude_m > clouds::BASE_M
     }
 
     /// Whether spray is seen.
@@ -340,6 +350,19 @@ fn set_gusts(u: &mut FrameUniform, wind_from: f64) {
     let (eye, axis) = (DVec2::from(u.mercator_fixed.map(f64::from)), DVec2::new(-sin, cos));
     u.gust_axis = axis.as_vec2();
     u.gust_origin = [axis.dot(eye) / LENGTH, axis.perp_dot(eye)].map(|part| part.rem_euclid(2f64.powi(32)) as u32);
+}
+
+/// Where the eye is among the clouds; returns their weather, where there are any.
+fn set_clouds(u: &mut FrameUniform, settings: &Settings, camera: &Camera, unix_seconds: f64) -> Option<Weather> {
+    let drift = clouds::drift(unix_seconds);
+    let (sin, cos) = libm::sincos(drift);
+    let eye = camera.eye_ecef();
+    u.cloud_eye = DVec3::new(cos * eye.x + sin * eye.y, cos * eye.y - sin * eye.x, eye.z).as_vec3();
+    let (sin, cos) = libm::sincos(camera.lon - drift);
+    u.cloud_meridian = DVec2::new(cos, sin).as_vec2();
+    u.cloud_shift = clouds::shift(settings.clouds) as f32;
+    let shown = settings.clouds > 0.0 && settings.layers.shows(Layer::Clouds) && settings.layers.shows(Layer::Sky);
+    shown.then(|| clouds::weather(unix_seconds))
 }
 
 fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {

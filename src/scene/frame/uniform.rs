@@ -147,6 +147,14 @@ gpu_struct! {
         quadric_diagonal: Vec3 = "vec3f",
         /// Quadric constant.
         quadric_constant: f32 = "Metres",
+        /// The eye, metres from the earth's middle along axes that drift with the clouds; those of its meridian: cosine and sine.
+        cloud_eye: Vec3 = "vec3f",
+        /// By how many deviations clouds are more than where they cover half of the sky.
+        cloud_shift: f32 = "f32",
+        /// See cloud_eye.
+        cloud_meridian: Vec2 = "vec2f",
+        /// Unused.
+        cloud_unused: Vec2 = "vec2f",
         /// Xy, xz, yz.
         quadric_mixed: Vec3 = "vec3f",
         /// The projected grid is cast from this far above the eye.

@@ -25,9 +25,9 @@ use crate::scene::view::state::ViewState;
 pub const LONGEST: usize = 2048;
 
 /// The keys in the order in which they are written.
-const KEYS: [&str; 18] = [
-    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "water", "time", "rate",
-    "seed", "mesh", "quality", "layers", "v",
+const KEYS: [&str; 19] = [
+    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "time",
+    "rate", "seed", "mesh", "quality", "layers", "v",
 ];
 
 impl ViewState {
@@ -104,6 +104,7 @@ impl ViewState {
             "chop" => s.chop = clamped(value, 0.0..=2.0).ok_or_else(|| bad("give 0 to 2"))?,
             "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
             "haze" => s.haze = clamped(value, 0.0..=HAZIEST).ok_or_else(|| bad("give 0 to 0.5"))?,
+            "clouds" => s.clouds = clamped(value, 0.0..=1.0).ok_or_else(|| bad("give a cover, 0 to 1"))?,
             "water" => s.water = named(&Water::ALL, value).ok_or_else(|| bad(&names(&Water::ALL)))?,
             "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
             "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
@@ -142,6 +143,7 @@ impl ViewState {
             "chop" => to.chop = settings.chop,
             "foam" => to.foam = settings.foam,
             "haze" => to.haze = settings.haze,
+            "clouds" => to.clouds = settings.clouds,
             "water" => to.water = settings.water,
             "time" => self.time = from.time,
             "rate" => self.rate = from.rate,
@@ -167,6 +169,7 @@ impl ViewState {
             "chop" => Some(decimal(s.chop, 3)).filter(|text| text != "1"),
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
             "haze" => Some(decimal(s.haze, 3)).filter(|text| *text != decimal(default.haze, 3)),
+            "clouds" => Some(decimal(s.clouds, 3)).filter(|text| *text != decimal(default.clouds, 3)),
             "water" => (s.water != default.water).then(|| name_of(&Water::ALL, s.water)),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),

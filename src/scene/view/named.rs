@@ -1,6 +1,7 @@
 //! The named views: from orbit to the deck, and the sea in four winds. Fixed times, so that each looks the same for everyone.
 
 use crate::model::sun;
+use crate::scene::settings::Settings;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
 
@@ -17,30 +18,54 @@ pub struct View {
 
 /// All named views, from the highest to the lowest.
 pub const VIEWS: [View; 8] = [
-    View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&time=2026-11-20T14:20:00Z" },
-    View { id: "ocean", title: "3,000 km", fragment: "view=26,-21,3000000,180,18&time=2026-11-20T13:00:00Z" },
-    View { id: "islands", title: "30 km", fragment: "view=29.25,-13.78,30000,184,56&time=2026-11-20T12:30:00Z" },
-    View { id: "coast", title: "coast, 560 m", fragment: "view=28.8545,-13.792,560,253,71&time=2026-11-20T15:00:00Z" },
-    View { id: "calm", title: "calm", fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&time=2026-11-20T12:00:00Z" },
+    View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&clouds=0.45&time=2026-11-20T14:20:00Z" },
+    View {
+        id: "ocean",
+        title: "3,000 km",
+        fragment: "view=26,-21,3000000,180,18&clouds=0.35&time=2026-11-20T13:00:00Z",
+    },
+    View {
+        id: "islands",
+        title: "30 km",
+        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.1&time=2026-11-20T12:30:00Z",
+    },
+    View {
+        id: "coast",
+        title: "coast, 560 m",
+        fragment: "view=28.8545,-13.792,560,253,71&clouds=0.2&time=2026-11-20T15:00:00Z",
+    },
+    View {
+        id: "calm",
+        title: "calm",
+        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&clouds=0.3&time=2026-11-20T12:00:00Z",
+    },
     View {
         id: "breeze",
         title: "breeze",
-        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&clouds=0.4&time=2026-11-20T12:00:00Z",
     },
-    View { id: "gale", title: "gale", fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&time=2026-11-20T12:00:00Z" },
+    View {
+        id: "gale",
+        title: "gale",
+        fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.5&time=2026-11-20T12:00:00Z",
+    },
     View {
         id: "hurricane",
         title: "hurricane",
-        fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&clouds=0.9&time=2026-11-20T12:00:00Z",
     },
 ];
+
+/// Share of the earth under clouds where no link says anything.
+const OPENING_CLOUDS: f64 = 0.45;
 
 /// What opens where no link says anything: the default view, turned to the side of the earth that has day at a UTC instant in
 /// seconds since 1970.
 pub fn opening(unix_seconds: f64) -> ViewState {
     let (_, noon_lon) = sun::subsolar_point(unix_seconds);
     let default = ViewState::default();
-    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), ..default }
+    let settings = Settings { clouds: OPENING_CLOUDS, ..default.settings.clone() };
+    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), settings, ..default }
 }
 
 impl View {

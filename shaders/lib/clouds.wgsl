@@ -1,0 +1,125 @@
+// Clouds: one field over the earth for eyes at any height. A place is in cloud where a normal level, the weather's of cloud_map.wgsl and
+// octaves from 32 km down, lies above zero; the more, the higher the cloud stands on its base. What a footprint hides of the octaves is a
+// variance, so that the share that clouds cover does not depend on who looks from where.
+#import cloud_noise
+#import light
+#import ellipsoid
+#import map
+#import normal
+
+@group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
+
+const CLOUD_BASE: Metres = 900.0;
+const CLOUD_TOP: Metres = 2100.0;
+const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
+const CLOUD_SOFT = 0.12;            // deviations over which its edge goes
+const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
+const CLOUD_FINER = 2.5;            // each octave's cells than those before
+const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
+const CLOUD_OCTAVES = 7u;
+const CLOUD_VARIANCE = 0.32;        // of all octaves
+const CLOUD_EXTINCTION = 0.006;     // per metre, a deviation above the edge
+const ICE_HEIGHT: Metres = 9000.0;
+
+// A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
+fn cloud_place(local: vec3f) -> vec3f {
+    let m = meridian_from_local(local);
+    let turn = frame.cloud_meridian;
+    return frame.cloud_eye + vec3f(turn.x * m.x - turn.y * m.y, turn.y * m.x + turn.x * m.y, m.z);
+}
+
+fn cloud_texel(at: vec2i) -> vec2f {
+    let side = i32(CLOUD_SIDE);
+    // Beyond an edge of the octahedron's map the same edge goes on the other way.
+    let beside = (at.x < 0) | (at.x >= side);
+    var p = vec2i(select(at.x, select(2 * side - 1 - at.x, -1 - at.x, at.x < 0), beside), select(at.y, side - 1 - at.y, beside));
+    let above = (p.y < 0) | (p.y >= side);
+    p = vec2i(select(p.x, side - 1 - p.x, above), select(p.y, select(2 * side - 1 - p.y, -1 - p.y, p.y < 0), above));
+    return cloud_levels[u32(p.y * side + p.x)];
+}
+
+// Levels of the weather: of water clouds, of ice clouds.
+fn cloud_weather(place: vec3f) -> vec2f {
+    let d = place / (abs(place.x) + abs(place.y) + abs(place.z));
+    let folded = (1.0 - abs(d.yx)) * select(vec2f(-1.0), vec2f(1.0), d.xy >= vec2f(0.0));
+    let at = (select(d.xy, folded, vec2<bool>(d.z < 0.0)) * 0.5 + 0.5) * f32(CLOUD_SIDE) - 0.5;
+    let cell = vec2i(floor(at));
+    let f = at - floor(at);
+    return frame.cloud_shift + mix(
+        mix(cloud_texel(cell), cloud_texel(cell + vec2i(1, 0)), f.x),
+        mix(cloud_texel(cell + vec2i(0, 1)), cloud_texel(cell + vec2i(1, 1)), f.x), f.y);
+}
+
+// The level of water clouds at a place, and the variance that a footprint hides of it.
+fn cloud_level(place: vec3f, footprint: Metres) -> vec2f {
+    var sum = cloud_weather(place).x;
+    var cell = CLOUD_WIDEST;
+    var part = CLOUD_VARIANCE * (1.0 - CLOUD_FADE) / (1.0 - pow(CLOUD_FADE, f32(CLOUD_OCTAVES)));
+    var hidden = CLOUD_VARIANCE;
+    var i = 0u;
+    loop {
+        let shown = 1.0 - smoothstep(0.15, 0.6, footprint / cell);
+        sum += sqrt(part) * shown * cloud_noise(place / cell, i);
+        hidden -= part * shown * shown;
+        cell /= CLOUD_FINER;
+        part *= CLOUD_FADE;
+        i++;
+        if i == CLOUD_OCTAVES || footprint >= 0.6 * cell { break; }
+    }
+    return vec2f(sum, max(hidden, 0.0));
+}
+
+// What a footprint sees of clouds: the share that is in one, and how far, in the mean of these, the level lies above the edge there.
+struct InCloud { share: f32, excess: f32 }
+
+fn in_cloud(level: vec2f, edge: f32) -> InCloud {
+    let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
+    let x = clamp((level.x - edge) / deviation, -5.0, 5.0);
+    let share = max(normal_share(x), 1e-7);
+    return InCloud(share, min(deviation * (x + 0.3989423 * exp(-0.5 * x * x) / share), 1.5));
+}
+
+// Optical depth of ice clouds straight up at a place: fibres, drawn out along the parallels and bent by the wind.
+fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
+    let weather = cloud_weather(place).y;
+    let bent = place + 60000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
+    let drawn = vec3f(0.22, 0.22, 1.0);
+    var sum = weather;
+    var cell = 16000.0;
+    var part = 0.14;
+    for (var i = 0u; i < 5u; i++) {
+        sum += sqrt(part) * (1.0 - smoothstep(0.15, 0.6, footprint / cell)) * cloud_noise(bent * drawn / cell, 20u + i);
+        cell *= 0.4;
+        part *= 0.7;
+    }
+    let above = max(sum, 0.0);
+    return 0.35 * above * above / (1.0 + above);
+}
+
+const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
+
+// Daylight on the ground or the sea at a place: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes
+// through them.
+fn clouded_daylight(light: Daylight, at: vec3f, up: vec3f, footprint: Metres) -> Daylight {
+    let mu = max(dot(frame.light, up), 0.05);
+    let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
+    let cloud = in_cloud(cloud_level(overhead, max(footprint, 120.0)), 0.1);
+    let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
+    let cover = in_cloud(cloud_level(overhead, 12000.0), 0.0).share;
+    let diffuse = 0.35 * light.sun * mu;
+    return Daylight(light.sun * (1.0 - cloud.share * (1.0 - through)), mix(light.sky, 0.5 * light.sky + diffuse, cover));
+}
+
+// Radiance of the sky that rough water mirrors from `direction`, with the clouds that stand there.
+fn clouded_sky(sky: vec3f, at: vec3f, direction: vec3f, up: vec3f) -> vec3f {
+    let rise = max(dot(direction, up), 0.03);
+    let way = CLOUD_SHADOW / rise;
+    // Facets spread what they mirror over some 12 degrees.
+    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), 0.2 * way), 0.1);
+    let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), min(1.0 / rise, 8.0));
+    let mu = dot(frame.light, up);
+    let light = daylight_at(mu);
+    let cloudy = (0.35 * light.sun * max(mu, 0.0) + 0.8 * light.sky) / PI;
+    // Far clouds stand in the haze.
+    return mix(sky, cloudy, hidden * exp(-way / 40000.0));
+}

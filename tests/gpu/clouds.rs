@@ -1,0 +1,174 @@
+//! The field of clouds: as much as is asked for, the same for every eye and every footprint, without a seam.
+
+use glam::{DVec3, Vec3, Vec4};
+use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::clouds::weather;
+use ocean_globe::model::earth::{self, WGS84};
+use ocean_globe::pass::cloud_map::CloudMap;
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::view::camera::Camera;
+
+use crate::kernel::{self, Kernel};
+
+/// 2026-11-20T12:00:00Z.
+const NOON: f64 = 1_795_176_000.0;
+const DAY: f64 = 86_400.0;
+
+const KERNEL: &str = "#import clouds
+@group(2) @binding(0) var<storage, read> asked: array<vec4f>;   // a place and a footprint
+@group(2) @binding(1) var<storage, read_write> levels: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> places: array<vec4f>;
+@compute @workgroup_size(64)
+fn look(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    let level = cloud_level(a.xyz, a.w);
+    levels[id.x] = vec4f(level, in_cloud(level, 0.0).share, ice_optical_depth(a.xyz, a.w));
+    // The same numbers, taken for a place of the local frame.
+    places[id.x] = vec4f(cloud_place(a.xyz), 0.0);
+}";
+
+/// A sky with clouds.
+struct Sky {
+    gpu: Gpu,
+    map: CloudMap,
+    layouts: [wgpu::BindGroupLayout; 2],
+    kernel: Kernel<2>,
+}
+
+impl Sky {
+    fn new() -> Self {
+        let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
+        let entry = wgpu::BindGroupLayoutEntry {
+            binding: 12,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage { read_only: true },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &[entry] };
+        let layouts = [kernel::frame_layout(&gpu), gpu.device.create_bind_group_layout(&descriptor)];
+        let kernel = Kernel::new(&gpu, &shader::composed(KERNEL, ""), "look", &layouts.each_ref());
+        Self { map: CloudMap::new(&gpu), layouts, kernel, gpu }
+    }
+
+    /// Levels at places of a frame with footprints, and the places that these would be in the local frame.
+    fn at(&mut self, frame: &Frame, asked: &[Vec4]) -> [Vec<[f32; 4]>; 2] {
+        let Self { gpu, map, layouts, kernel } = self;
+        map.prepare(gpu, weather(frame.unix_seconds));
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        map.dispatch(&mut encoder.begin_compute_pass(&Default::default()));
+        gpu.queue.submit([encoder.finish()]);
+        let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+        let entry = wgpu::BindGroupEntry { binding: 12, resource: map.levels.as_entire_binding() };
+        let descriptor = wgpu::BindGroupDescriptor { label: None, layout: &layouts[1], entries: &[entry] };
+        let clouds = gpu.device.create_bind_group(&descriptor);
+        let groups = [kernel::frame_group(gpu, &layouts[0], &uniform, &frame.wave_cells), clouds];
+        kernel.run(gpu, &groups.each_ref(), &asked.iter().map(Vec4::to_array).collect::<Vec<_>>())
+    }
+}
+
+fn frame(cover: f64, [lat, lon, altitude]: [f64; 3], unix_seconds: f64) -> Frame {
+    let settings = Settings { clouds: cover, ..Settings::default() };
+    Frame::new(&settings, &Camera::from_degrees(lat, lon, altitude, 0.0, 0.0), unix_seconds, [64; 2])
+}
+
+/// Places all over the earth, evenly: a spiral of Fibonacci's.
+fn all_over(count: usize) -> Vec<Vec3> {
+    let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
+    let place = |index: usize| {
+        let z = 1.0 - (2.0 * index as f64 + 1.0) / count as f64;
+        let (sin, cos) = (golden * index as f64).sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        (DVec3::new(across * cos, across * sin, z) * (WGS84.a + 1_000.0)).as_vec3()
+    };
+    (0..count).map(place).collect()
+}
+
+fn mean(values: impl ExactSizeIterator<Item = f32>) -> f64 {
+    let count = values.len() as f64;
+    values.map(f64::from).sum::<f64>() / count
+}
+
+#[test]
+fn clouds_cover_as_much_as_is_asked_for_at_any_footprint() {
+    let mut sky = Sky::new();
+    let places = all_over(20_000);
+    for cover in [0.2, 0.45, 0.7] {
+        // The mean of several weathers: a single one's is off by what a few dozen storms leave.
+        let mut shares = [0.0; 4];
+        let days = [0.0, 30.0, 60.0, 90.0];
+        for day in days {
+            let frame = frame(cover, [0.0, 0.0, 1e7], NOON + day * DAY);
+            for (share, footprint) in shares.iter_mut().zip([20.0, 2_000.0, 20_000.0, 200_000.0]) {
+                let asked: Vec<Vec4> = places.iter().map(|place| place.extend(footprint)).collect();
+                let [levels, _] = sky.at(&frame, &asked);
+                *share += mean(levels.iter().map(|level| level[2])) / days.len() as f64;
+            }
+        }
+        println!("{cover} asked for, found {shares:.3?}");
+        assert!((shares[0] - cover).abs() < 0.03, "{cover}: {shares:?}");
+        // What pixels hide is normal only nearly: a sum of eight corners' gradients.
+        assert!(shares.iter().all(|share| (share - shares[0]).abs() < 0.015), "{cover}: {shares:?}");
+    }
+}
+
+#[test]
+fn two_eyes_see_the_same_clouds() {
+    let mut sky = Sky::new();
+    let there = WGS84.ecef_from_geodetic(earth::Geodetic { lat: 0.62, lon: -0.3, height: 1_500.0 });
+    let mut found = Vec::new();
+    for eye in [[35.6, -17.1, 3.0], [36.4, -16.0, 2_000.0], [30.0, -30.0, 400_000.0]] {
+        let frame = frame(0.4, eye, NOON);
+        let camera = frame.camera;
+        let local = earth::ecef_from_enu(camera.lat, camera.lon).transpose() * (there - camera.eye_ecef());
+        let [_, places] = sky.at(&frame, &[local.as_vec3().extend(0.0)]);
+        let [x, y, z, _] = places[0];
+        let [levels, _] = sky.at(&frame, &[Vec4::new(x, y, z, 50.0)]);
+        found.push((Vec3::new(x, y, z), levels[0]));
+    }
+    for (place, levels) in &found[1..] {
+        // Steps of single precision at the earth's radius are half a metre.
+        assert!(place.distance(found[0].0) < 3.0, "{found:?}");
+        assert!((0..4).all(|i| (levels[i] - found[0].1[i]).abs() < 0.05), "{found:?}");
+    }
+    // And the earth turns below them by the drift alone.
+    assert!((f64::from(found[0].0.length()) - there.length()).abs() < 2.0);
+}
+
+#[test]
+fn the_map_of_the_weather_has_no_seam() {
+    let mut sky = Sky::new();
+    let frame = frame(0.4, [0.0, 0.0, 1e7], NOON);
+    // Pairs 10 km apart; those whose sides of the octahedron differ lie on its edges.
+    let places = all_over(200_000);
+    let pairs = |on_edge: bool| -> Vec<[Vec3; 2]> {
+        let moved = |place: &Vec3| {
+            let aside = place.normalize().any_orthonormal_vector() * 10_000.0;
+            [*place, *place + aside]
+        };
+        let side = |place: Vec3| [place.x > 0.0, place.y > 0.0, place.z > 0.0];
+        places
+            .iter()
+            .map(moved)
+            .filter(|[one, other]| (side(*one) != side(*other)) == on_edge)
+            .step_by(if on_edge { 1 } else { 60 })
+            .collect()
+    };
+    let mut deviation = |pairs: Vec<[Vec3; 2]>| {
+        assert!(pairs.len() > 200);
+        // So wide that only the map shows.
+        let asked: Vec<Vec4> = pairs.iter().flatten().map(|place| place.extend(1e6)).collect();
+        let [levels, _] = sky.at(&frame, &asked);
+        let squares = levels.chunks_exact(2).map(|pair| (pair[1][0] - pair[0][0]).powi(2));
+        mean(squares).sqrt()
+    };
+    let [inside, on_edges] = [deviation(pairs(false)), deviation(pairs(true))];
+    println!("over 10 km levels change by {inside:.4}, across edges of the map by {on_edges:.4}");
+    // Texels are up to twice as wide in the middle of the octahedron's sides as at its corners.
+    assert!(on_edges < 2.0 * inside, "{on_edges} {inside}");
+}

@@ -1,0 +1,70 @@
+//! Clouds in pictures: what they hide, what they shade, and how they are left out.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::renderer::{Radiance, Renderer};
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+
+fn picture(renderer: &mut Renderer, link: &str, size: [u32; 2]) -> Vec<u8> {
+    let state = render::parse_state(link).unwrap();
+    render::picture(renderer, &state, size).unwrap()
+}
+
+/// Mean of red, green and blue over rows of a picture.
+fn mean(pixels: &[u8], width: usize, rows: std::ops::Range<usize>) -> [f64; 3] {
+    let part = &pixels[4 * width * rows.start..4 * width * rows.end];
+    std::array::from_fn(|i| {
+        part.iter().skip(i).step_by(4).map(|v| f64::from(*v)).sum::<f64>() / (part.len() / 4) as f64
+    })
+}
+
+const SIZE: [u32; 2] = [160, 90];
+const DECK: &str = "#view=35,-30,4,0,84&wind=6@250&quality=low&time=2026-06-21T14:00:00Z";
+
+#[test]
+fn clouds_can_be_taken_away() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    for view in [DECK, "#view=10,-30,9000000&quality=low&time=2026-06-21T14:00:00Z"] {
+        let mut of = |clouds: &str| picture(&mut renderer, &format!("{view}{clouds}"), SIZE);
+        let [clear, cloudy, hidden] = ["", "&clouds=0.6", "&clouds=0.6&layers=-clouds"].map(&mut of);
+        let changed =
+            clear.chunks_exact(4).zip(cloudy.chunks_exact(4)).filter(|(a, b)| a[0].abs_diff(b[0]) > 8).count();
+        println!("clouds change {changed} of {} pixels", clear.len() / 4);
+        assert!(changed * 10 > clear.len() / 4 && clear == hidden);
+    }
+}
+
+#[test]
+fn an_overcast_sky_is_grey_and_so_is_the_sea_below_it() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut of = |clouds: &str| {
+        let pixels = picture(&mut renderer, &format!("{DECK}{clouds}"), SIZE);
+        [mean(&pixels, 160, 0..20), mean(&pixels, 160, 60..90)]
+    };
+    let [[clear_sky, clear_sea], [grey_sky, grey_sea]] = ["", "&clouds=1"].map(&mut of);
+    let blueness = |[r, _, b]: [f64; 3]| (b - r) / b;
+    println!("sky {clear_sky:.0?} and overcast {grey_sky:.0?}, sea {clear_sea:.0?} and {grey_sea:.0?}");
+    assert!(blueness(clear_sky) > 0.3 && blueness(grey_sky) < 0.15, "{clear_sky:?} {grey_sky:?}");
+    assert!(blueness(grey_sea) < 0.5 * blueness(clear_sea), "{clear_sea:?} {grey_sea:?}");
+}
+
+#[test]
+fn clouds_cast_shadows() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let mut ratios = Vec::new();
+    for place in 0..48 {
+        // The Sahara from 300 m, straight down, at noon.
+        let (lat, lon) = (20.0 + 0.13 * f64::from(place % 8), 3.0 + 0.9 * f64::from(place / 8));
+        let mut of = |clouds| {
+            let link = format!("#view={lat},{lon},300,0,0&quality=low&time=2026-06-21T11:40:00Z&clouds={clouds}");
+            let state = render::parse_state(&link).unwrap();
+            let values = render::measure(&mut renderer, &state, [4, 4], LayerName::Radiance).unwrap().values;
+            values.iter().sum::<f64>()
+        };
+        ratios.push(of(0.6) / of(0.0));
+    }
+    ratios.sort_by(f64::total_cmp);
+    println!("in shadow {:.2}, in the sun {:.2} of a clear day's light", ratios[2], ratios[45]);
+    // Deep shadows have a fifth to a half of the light; beside clouds there is up to a fifth more, from them.
+    assert!((0.2..0.5).contains(&ratios[2]) && (0.85..1.25).contains(&ratios[45]), "{ratios:.2?}");
+}
