@@ -7,7 +7,10 @@
 
 @group(2) @binding(0) var scene_depth: texture_depth_2d;
 
-const STEPS = 20u;
+const MOST_STEPS = 24.0;
+const SHORTEST_STEP: Metres = 150.0;
+const SUNWARDS: Metres = 350.0;         // where a cloud looks whether it is in the shadow of others
+const FAINT = 0.002;                    // shade that is not worth light
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 
 // Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
@@ -48,38 +51,48 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     var veil = Veil(vec3f(0.0), 1.0);
 
     let stretch = layer_stretch(ray, far);
-    let step = max(stretch.y - stretch.x, 0.0) / f32(STEPS);
-    // Each pixel begins elsewhere in its first step: grain instead of bands.
-    let grain = f32(hash(vec3u(vec2u(corner.position.xy), 0u)) >> 8u) / 16777216.0;
+    let length = max(stretch.y - stretch.x, 0.0);
+    let steps = clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), 3.0, MOST_STEPS);
+    let step = length / steps;
+    // Each pixel begins a little elsewhere in its first step: grain instead of bands.
+    let grain = 0.3 + 0.4 * f32(hash(vec3u(vec2u(corner.position.xy), 0u)) >> 8u) / 16777216.0;
     var way = 0.0;
-    for (var i = 0u; i < STEPS; i++) {
-        let t = stretch.x + (f32(i) + 0.2 + 0.6 * grain) * step;
+    // One look at the field a turn: along the sight, and where that has met a cloud, from there towards the sun. As in lib/waves.wgsl, the loop
+    // ends at its foot.
+    var i = 0u;
+    var met = 0.0;
+    loop {
+        let t = stretch.x + (f32(i) + grain) * step;
         let at = direction * t;
         let height = (height_along(ray, t) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
-        let level = cloud_level(cloud_place(at), max(t * frame.pixel_angle, 0.25 * step));
-        let cloud = in_cloud(level, CLOUD_TALL * height);
+        let mu = dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0)));
+        let is_lit = met > 0.0;
+        let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
+        let edge = CLOUD_TALL * select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit);
+        let footprint = max(t * frame.pixel_angle, select(0.4 * step, 700.0, is_lit));
+        let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
         let opaque = cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * step / clouds));
-        let shade = 1.0 - pow(1.0 - opaque, clouds);
-        let up = normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0));
-        let mu = dot(frame.light, up);
-        // What stands between here and the sun, looked at once.
-        let ahead = 350.0;
-        let near_sun = cloud_level(cloud_place(at + ahead * frame.light), max(t * frame.pixel_angle, 300.0));
-        let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-        let shadow = in_cloud(near_sun, CLOUD_TALL * (height + ahead * mu / (CLOUD_TOP - CLOUD_BASE)));
-        let optical_depth = 0.5 * CLOUD_EXTINCTION * over * shadow.share * shadow.excess;
-        let daylight = daylight_at(mu);
-        let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
-        veil.radiance += veil.through * shade * cloud_source(sun, daylight.sky, optical_depth, saturate(height), phase);
-        way += veil.through * shade * t;
-        veil.through *= 1.0 - shade;
-        if veil.through < 0.01 { break; }
+        let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
+        met = select(shade, 0.0, is_lit | (shade < FAINT));
+        if is_lit {
+            let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
+            let optical_depth = 0.5 * CLOUD_EXTINCTION * over * cloud.share * cloud.excess;
+            let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
+            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, optical_depth, saturate(height), phase);
+            way += veil.through * shade * t;
+            veil.through *= 1.0 - shade;
+        }
+        i += select(0u, 1u, met == 0.0);
+        if f32(i) >= steps || veil.through < 0.01 || step == 0.0 { break; }
     }
     let hidden_low = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden_low, 1e-4));
-    veil.radiance = veil.radiance * air.transmittance + hidden_low * air.radiance;
+    // Below them the air is in their shadow.
+    let cover = in_cloud(vec2f(cloud_weather(frame.cloud_eye).x, CLOUD_VARIANCE), 0.0).share;
+    let clear = 1.0 - select(0.0, cover * cover, frame.eye_altitude < CLOUD_BASE);
+    veil.radiance = veil.radiance * air.transmittance + hidden_low * lit_air(air.radiance, clear);
 
     // Ice clouds, behind the others or before them.
     let shell = shell_hits(ray, ICE_HEIGHT);

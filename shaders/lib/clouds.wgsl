@@ -12,13 +12,13 @@
 const CLOUD_BASE: Metres = 900.0;
 const CLOUD_TOP: Metres = 2100.0;
 const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
-const CLOUD_SOFT = 0.12;            // deviations over which its edge goes
+const CLOUD_SOFT = 0.22;            // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
 const CLOUD_OCTAVES = 7u;
 const CLOUD_VARIANCE = 0.32;        // of all octaves
-const CLOUD_EXTINCTION = 0.006;     // per metre, a deviation above the edge
+const CLOUD_EXTINCTION = 0.0045;     // per metre, a deviation above the edge
 const ICE_HEIGHT: Metres = 9000.0;
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
@@ -50,9 +50,13 @@ fn cloud_weather(place: vec3f) -> vec2f {
         mix(cloud_texel(cell + vec2i(0, 1)), cloud_texel(cell + vec2i(1, 1)), f.x), f.y);
 }
 
-// The level of water clouds at a place, and the variance that a footprint hides of it.
-fn cloud_level(place: vec3f, footprint: Metres) -> vec2f {
-    var sum = cloud_weather(place).x;
+// Deviations of what is left of the field beyond which it is certain whether a place is in cloud.
+const CLOUD_CERTAIN = 3.5;
+
+// The level of water clouds at a place, and the variance that a footprint hides of it, or that cannot bring it to the other side of `edge`;
+// `weather`: that of water clouds there. As in lib/waves.wgsl, the loop ends at its foot.
+fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
+    var sum = weather;
     var cell = CLOUD_WIDEST;
     var part = CLOUD_VARIANCE * (1.0 - CLOUD_FADE) / (1.0 - pow(CLOUD_FADE, f32(CLOUD_OCTAVES)));
     var hidden = CLOUD_VARIANCE;
@@ -64,9 +68,14 @@ fn cloud_level(place: vec3f, footprint: Metres) -> vec2f {
         cell /= CLOUD_FINER;
         part *= CLOUD_FADE;
         i++;
-        if i == CLOUD_OCTAVES || footprint >= 0.6 * cell { break; }
+        let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
+        if i == CLOUD_OCTAVES || footprint >= 0.6 * cell || is_certain { break; }
     }
     return vec2f(sum, max(hidden, 0.0));
+}
+
+fn cloud_level(place: vec3f, footprint: Metres, edge: f32) -> vec2f {
+    return cloud_level_of(cloud_weather(place).x, place, footprint, edge);
 }
 
 // What a footprint sees of clouds: the share that is in one, and how far, in the mean of these, the level lies above the edge there.
@@ -103,11 +112,12 @@ const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 fn clouded_daylight(light: Daylight, at: vec3f, up: vec3f, footprint: Metres) -> Daylight {
     let mu = max(dot(frame.light, up), 0.05);
     let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
-    let cloud = in_cloud(cloud_level(overhead, max(footprint, 120.0)), 0.1);
+    let weather = cloud_weather(overhead).x;
+    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 250.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
-    let cover = in_cloud(cloud_level(overhead, 12000.0), 0.0).share;
+    let cover = in_cloud(vec2f(weather, CLOUD_VARIANCE), 0.0).share;
     let diffuse = 0.35 * light.sun * mu;
-    return Daylight(light.sun * (1.0 - cloud.share * (1.0 - through)), mix(light.sky, 0.5 * light.sky + diffuse, cover));
+    return Daylight(light.sun * (1.0 - cloud.share * (1.0 - through)), mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover);
 }
 
 // Radiance of the sky that rough water mirrors from `direction`, with the clouds that stand there.
@@ -115,7 +125,7 @@ fn clouded_sky(sky: vec3f, at: vec3f, direction: vec3f, up: vec3f) -> vec3f {
     let rise = max(dot(direction, up), 0.03);
     let way = CLOUD_SHADOW / rise;
     // Facets spread what they mirror over some 12 degrees.
-    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), 0.2 * way), 0.1);
+    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(0.2 * way, 1500.0), 0.1), 0.1);
     let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), min(1.0 / rise, 8.0));
     let mu = dot(frame.light, up);
     let light = daylight_at(mu);

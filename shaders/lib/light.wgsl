@@ -19,14 +19,21 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
     return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + night_sky(mu);
 }
 
-// Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky.
-struct Daylight { sun: vec3f, sky: vec3f }
+// Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky. `air`: how far the air there is lit
+// as under a clear sky, 1, or under clouds alone, 0.
+struct Daylight { sun: vec3f, sky: vec3f, air: f32 }
 
 fn daylight_at(mu_sun: f32) -> Daylight {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
     let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + frame.night * frame.night_ground * NIGHT_IRRADIANCE;
-    return Daylight(sun_irradiance_at(mu_sun), sky);
+    return Daylight(sun_irradiance_at(mu_sun), sky, 1.0);
 }
+
+const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
+const CLOUDED_AIR = 0.65;          // how much less colour the air has under clouds; ours
+
+// Light of the air before something, of what it is under a clear sky: clouds light it with white light.
+fn lit_air(radiance: vec3f, clear: f32) -> vec3f { return mix(radiance, vec3f(dot(radiance, LUMINANCE)), CLOUDED_AIR * (1.0 - clear)); }
 
 fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

@@ -2,7 +2,6 @@
 // is the air itself. Who imports this declares SPRAY (src/pass/kind.rs): whether there is any.
 #import light
 
-const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 const SPRAY_LIGHT = 1.1;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
 const SPRAY_WHITE = 0.5;           // colour of daylight, which drops have; both ours
 
@@ -35,12 +34,12 @@ fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
 fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres) -> vec3f {
     if !SPRAY {
         let air = haze(direction, distance);
-        return radiance * air.transmittance + air.radiance;
+        return radiance * air.transmittance + lit_air(air.radiance, light.air);
     }
     let depth = spray_depth(direction.z, distance);
     let left = exp(-depth);
     // What thick spray shows is its near side; from high above all of it is far away.
     let inside = depth / frame.spray.x;
     let air = haze(direction, distance - inside * select(1.0 - (1.0 - left) / depth, 0.0, depth < 1e-3));
-    return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + air.radiance;
+    return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + lit_air(air.radiance, light.air);
 }

@@ -27,7 +27,7 @@ pub const VIEWS: [View; 8] = [
     View {
         id: "islands",
         title: "30 km",
-        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.1&time=2026-11-20T12:30:00Z",
+        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.3&time=2026-11-26T12:30:00Z",
     },
     View {
         id: "coast",
