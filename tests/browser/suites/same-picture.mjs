@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { shares } from "../lib/picture.mjs";
 import { assertSamePicture } from "../lib/same.mjs";
-import { AT_SEA, COAST, FROM_ORBIT } from "../lib/views.mjs";
+import { AT_SEA, COAST, FROM_ORBIT, OVER_CLOUDS, UNDER_CLOUDS } from "../lib/views.mjs";
 
 export function samePictureTests(site) {
   // SwiftShader takes a minute for the foam's past on waves of the usual quality; smaller ones run the same kernels.
@@ -13,6 +13,11 @@ export function samePictureTests(site) {
     test(`browser and native draw the same: ${name}`, async (t) => {
       const native = await assertSamePicture(t, site, fragment);
       assert.ok(shares(native).dark < 0.9, "the picture is empty");
+    });
+  }
+  for (const [name, fragment] of Object.entries({ UNDER_CLOUDS, OVER_CLOUDS })) {
+    test(`browser and native draw the same: ${name}`, async (t) => {
+      await assertSamePicture(t, site, fragment, [320, 180]);
     });
   }
 }
