@@ -52,7 +52,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
 
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
-    let steps = clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), 3.0, MOST_STEPS);
+    let steps = clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), select(3.0, 2.0, GLOBE), MOST_STEPS);
     let step = length / steps;
     // Each pixel begins a little elsewhere in its first step: grain instead of bands.
     let grain = 0.3 + 0.4 * f32(hash(vec3u(vec2u(corner.position.xy), 0u)) >> 8u) / 16777216.0;
@@ -75,8 +75,10 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         let clouds = max(step / CLOUD_CELL, 1.0);
         let opaque = cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * step / clouds));
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
-        met = select(shade, 0.0, is_lit | (shade < FAINT));
-        if is_lit {
+        // From space a pixel is wider than shadows are long.
+        let is_done = GLOBE | is_lit | (shade < FAINT);
+        met = select(shade, 0.0, is_done);
+        if GLOBE | is_lit {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
             let optical_depth = 0.5 * CLOUD_EXTINCTION * over * cloud.share * cloud.excess;
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);

@@ -96,10 +96,13 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     var sum = weather;
     var cell = 16000.0;
     var part = 0.14;
-    for (var i = 0u; i < 5u; i++) {
+    var i = 0u;
+    loop {
         sum += sqrt(part) * (1.0 - smoothstep(0.15, 0.6, footprint / cell)) * cloud_noise(bent * drawn / cell, 20u + i);
         cell *= 0.4;
         part *= 0.7;
+        i++;
+        if i == 5u || footprint >= 0.6 * cell { break; }
     }
     let above = max(sum, 0.0);
     return 0.35 * above * above / (1.0 + above);
@@ -125,7 +128,7 @@ fn clouded_sky(sky: vec3f, at: vec3f, direction: vec3f, up: vec3f) -> vec3f {
     let rise = max(dot(direction, up), 0.03);
     let way = CLOUD_SHADOW / rise;
     // Facets spread what they mirror over some 12 degrees.
-    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(0.2 * way, 1500.0), 0.1), 0.1);
+    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), length(at) * frame.pixel_angle), 0.1), 0.1);
     let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), min(1.0 / rise, 8.0));
     let mu = dot(frame.light, up);
     let light = daylight_at(mu);
