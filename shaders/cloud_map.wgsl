@@ -1,13 +1,11 @@
 // The weather of clouds over the whole earth, in axes that drift with them: levels of a normal field (src/model/clouds.rs), by octahedral
-// coordinates (lib/clouds.wgsl). x: water clouds; y: ice clouds.
+// coordinates (lib/clouds.wgsl). x: water clouds; y: ice clouds. src/pass/cloud_map.rs puts STORMS, CLOUD_SIDE and CLOUD_VARIANCE first.
 #import cloud_noise
 
-const STORMS = 28u;
 const STORM_WIDTH = 0.17;      // radians over which a storm turns clouds
-const WEATHER_PART = 0.68;     // of the field's variance; the rest is lib/clouds.wgsl's
 
 struct Weather {
-    storms: array<vec4f, 56>,  // of either weather: towards its middle; angle
+    storms: array<vec4f, 2u * STORMS>,  // of either weather: towards its middle; angle
     weights: vec2f,
     numbers: vec2u,
 }
@@ -52,7 +50,7 @@ fn weathered(d: vec3f, which: u32) -> vec2f {
     }
     let salt = 64u * (weather.numbers[which] & 0xffffu);
     let bent = p + 0.09 * vec3f(octaves(p, 3.0, 3u, salt + 10u), octaves(p, 3.0, 3u, salt + 20u), octaves(p, 3.0, 3u, salt + 30u));
-    return vec2f(octaves(bent, 4.0, 6u, salt), octaves(bent * vec3f(1.0, 1.0, 1.8) , 3.0, 6u, salt + 40u));
+    return vec2f(octaves(bent, 4.0, 6u, salt), octaves(bent * vec3f(1.0, 1.0, 1.8), 3.0, 6u, salt + 40u));
 }
 
 @compute @workgroup_size(8, 8)
@@ -63,5 +61,5 @@ fn make(@builtin(global_invocation_id) id: vec3u) {
     d = normalize(vec3f(select(d.xy, folded, vec2<bool>(d.z < 0.0)), d.z));
     var level = weather.weights.x * weathered(d, 0u);
     if weather.weights.y > 0.0 { level += weather.weights.y * weathered(d, 1u); }
-    levels[id.y * CLOUD_SIDE + id.x] = sqrt(WEATHER_PART) * level + vec2f(cloud_belts(d.z), 0.5 * cloud_belts(d.z) - 0.4);
+    levels[id.y * CLOUD_SIDE + id.x] = sqrt(1.0 - CLOUD_VARIANCE) * level + vec2f(cloud_belts(d.z), 0.5 * cloud_belts(d.z) - 0.4);
 }

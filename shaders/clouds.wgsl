@@ -22,7 +22,13 @@ fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: 
 // Light from the sun's side is stronger, of one that is isotropic.
 fn cloud_phase(c: f32) -> f32 { return 0.75 + 0.9 * pow(0.5 + 0.5 * c, 12.0); }
 
+// What clouds add to a sight, and what they leave of what is behind them.
 struct Veil { radiance: vec3f, through: f32 }
+
+// One before the other.
+fn before(near: Veil, far: Veil) -> Veil { return Veil(near.radiance + near.through * far.radiance, near.through * far.through); }
+
+fn sun_cosine(at: vec3f) -> f32 { return dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))); }
 
 // Where a ray is within the layer, as far as it is seen.
 fn layer_stretch(ray: Ray, far: Metres) -> vec2f {
@@ -37,35 +43,22 @@ fn layer_stretch(ray: Ray, far: Metres) -> vec2f {
     return select(vec2f(first, last), vec2f(1.0, 0.0), missed);
 }
 
-@fragment
-fn fragment(corner: Corner) -> @location(0) vec4f {
-    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
-    let ray = eye_ray(direction);
-    let hit = surface_hit(ray);
-    var far = select(hit, 1e9, hit < 0.0);
-    if !GLOBE {
-        let depth = textureLoad(scene_depth, vec2u(corner.position.xy), 0);
-        far = min(far, NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3));
-    }
-    let phase = cloud_phase(dot(direction, frame.light));
-    var veil = Veil(vec3f(0.0), 1.0);
-
+// Water clouds between the eye and `far`. One look at the field a turn: along the sight, and where that has met a cloud, from there towards
+// the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a pixel looks.
+fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
     let steps = clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), select(3.0, 2.0, GLOBE), MOST_STEPS);
     let step = length / steps;
-    // Each pixel begins a little elsewhere in its first step: grain instead of bands.
-    let grain = 0.3 + 0.4 * f32(hash(vec3u(vec2u(corner.position.xy), 0u)) >> 8u) / 16777216.0;
+    var veil = Veil(vec3f(0.0), 1.0);
     var way = 0.0;
-    // One look at the field a turn: along the sight, and where that has met a cloud, from there towards the sun. As in lib/waves.wgsl, the loop
-    // ends at its foot.
     var i = 0u;
     var met = 0.0;
     loop {
         let t = stretch.x + (f32(i) + grain) * step;
         let at = direction * t;
         let height = (height_along(ray, t) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
-        let mu = dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0)));
+        let mu = sun_cosine(at);
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = CLOUD_TALL * select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit);
@@ -76,8 +69,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         let opaque = cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * step / clouds));
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         // From space a pixel is wider than shadows are long.
-        let is_done = GLOBE | is_lit | (shade < FAINT);
-        met = select(shade, 0.0, is_done);
+        met = select(shade, 0.0, GLOBE | is_lit | (shade < FAINT));
         if GLOBE | is_lit {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
             let optical_depth = 0.5 * CLOUD_EXTINCTION * over * cloud.share * cloud.excess;
@@ -89,30 +81,47 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         i += select(0u, 1u, met == 0.0);
         if f32(i) >= steps || veil.through < 0.01 || step == 0.0 { break; }
     }
-    let hidden_low = 1.0 - veil.through;
-    let air = haze(direction, way / max(hidden_low, 1e-4));
+    let hidden = 1.0 - veil.through;
+    let air = haze(direction, way / max(hidden, 1e-4));
     // Below them the air is in their shadow.
     let cover = in_cloud(vec2f(cloud_weather(frame.cloud_eye).x, CLOUD_VARIANCE), 0.0).share;
     let clear = 1.0 - select(0.0, cover * cover, frame.eye_altitude < CLOUD_BASE);
-    veil.radiance = veil.radiance * air.transmittance + hidden_low * lit_air(air.radiance, clear);
+    veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
+    return veil;
+}
 
-    // Ice clouds, behind the others or before them.
+// Ice clouds between the eye and `far`.
+fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let shell = shell_hits(ray, ICE_HEIGHT);
-    let is_below = frame.eye_altitude < ICE_HEIGHT;
-    let t = select(shell.x, shell.y, is_below);
-    if (shell.x <= shell.y) & (t > 0.0) & (t < far) {
-        let at = direction * t;
-        let up = normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0));
-        let mu = dot(frame.light, up);
-        let thickness = ice_optical_depth(cloud_place(at), t * frame.pixel_angle);
-        let shade = 1.0 - exp(-thickness / max(abs(dot(direction, up)), 0.12));
-        let before = haze(direction, t);
-        let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
-        let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
-        let seen = shade * (lit * before.transmittance + before.radiance);
-        veil.radiance = select(seen + (1.0 - shade) * veil.radiance, veil.radiance + veil.through * seen, is_below);
-        veil.through *= 1.0 - shade;
+    let t = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
+    if (shell.x > shell.y) | (t <= 0.0) | (t >= far) { return Veil(vec3f(0.0), 1.0); }
+    let at = direction * t;
+    let mu = sun_cosine(at);
+    let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
+    let shade = 1.0 - exp(-ice_optical_depth(cloud_place(at), t * frame.pixel_angle) / max(rise, 0.12));
+    let air = haze(direction, t);
+    let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
+    let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
+    return Veil(shade * (lit * air.transmittance + air.radiance), 1.0 - shade);
+}
+
+@fragment
+fn fragment(corner: Corner) -> @location(0) vec4f {
+    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
+    let ray = eye_ray(direction);
+    let hit = surface_hit(ray);
+    let pixel = vec2u(corner.position.xy);
+    var far = select(hit, 1e9, hit < 0.0);
+    if !GLOBE {
+        let depth = textureLoad(scene_depth, pixel, 0);
+        far = min(far, NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3));
     }
-    let hidden = 1.0 - veil.through;
-    return vec4f(veil.radiance * frame.exposure, hidden);
+    let phase = cloud_phase(dot(direction, frame.light));
+    // Each pixel looks a little elsewhere: grain instead of bands.
+    let grain = 0.3 + 0.4 * f32(hash(vec3u(pixel, 0u)) >> 8u) / 16777216.0;
+    let water = water_clouds(ray, direction, far, phase, grain);
+    let ice = ice_clouds(ray, direction, far, phase);
+    var all = before(ice, water);
+    if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }
+    return vec4f(all.radiance * frame.exposure, 1.0 - all.through);
 }

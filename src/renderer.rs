@@ -225,8 +225,8 @@ impl Renderer {
         }
         self.air_table.prepare(&frame.uniform);
         self.sky_table.prepare(&frame.uniform);
-        if let Some(weather) = frame.weather.filter(|_| frame.has_light()) {
-            self.cloud_map.prepare(&self.gpu, weather);
+        if let Some(clouds) = frame.clouds.filter(|_| frame.has_light()) {
+            self.cloud_map.prepare(&self.gpu, clouds.weather);
         }
         self.dispatches = self.air_table.dispatches()
             + self.cloud_map.dispatches()
@@ -251,7 +251,7 @@ impl Renderer {
             self.surface.dispatch(&mut pass, frame_group);
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }
-        let clouds = self.clouds.as_ref().filter(|_| is_seen && frame.weather.is_some());
+        let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
         let surface = self.surface.group();
         let layers = frame.uniform.layers;
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
@@ -274,8 +274,8 @@ impl Renderer {
             points.for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             // Waves stand before clouds that are above the eye.
-            if let Some(clouds) = clouds.filter(|_| !frame.is_above_clouds()) {
-                clouds.draw(&mut resume(encoder, "clouds", &targets.scene), false, frame_group, surface);
+            if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| !clouds.are_below) {
+                pass.draw(&mut resume(encoder, "clouds", &targets.scene), (false, clouds.area), frame_group, surface);
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
@@ -284,8 +284,9 @@ impl Renderer {
             }
             self.passes.draw_backdrop(&mut pass, targets);
         }
-        if let Some(clouds) = clouds.filter(|_| frame.is_above_clouds()) {
-            clouds.draw(&mut resume(encoder, "clouds", &radiance), self.visible.is_none(), frame_group, surface);
+        if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
+            let part = (self.visible.is_none(), clouds.area);
+            pass.draw(&mut resume(encoder, "clouds", &radiance), part, frame_group, surface);
         }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }

@@ -1,7 +1,6 @@
 // Gradient noise in space.
 #import hash
 
-const CLOUD_SIDE = 512u;        // texels along a side of the weather's map (src/pass/cloud_map.rs)
 const CLOUD_NOISE_DEVIATION = 0.191;
 
 // What the gradient of a lattice point adds at an offset from it.

@@ -9,7 +9,6 @@
 
 @group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
 
-const CLOUD_BASE: Metres = 900.0;
 const CLOUD_TOP: Metres = 2100.0;
 const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
 const CLOUD_SOFT = 0.22;            // deviations over which its edge goes
@@ -17,9 +16,7 @@ const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
 const CLOUD_OCTAVES = 7u;
-const CLOUD_VARIANCE = 0.32;        // of all octaves
-const CLOUD_EXTINCTION = 0.0045;     // per metre, a deviation above the edge
-const ICE_HEIGHT: Metres = 9000.0;
+const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
 fn cloud_place(local: vec3f) -> vec3f {

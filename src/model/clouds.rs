@@ -10,8 +10,14 @@ use glam::{DVec3, Vec4};
 
 /// Storms of an instant's weather.
 pub const STORMS: usize = 28;
-/// Height of the base of water clouds, metres; equals `CLOUD_BASE` in `shaders/lib/clouds.wgsl`.
+/// Texels along a side of the octahedral map of the weather: 39 km in the mean.
+pub const MAP_TEXELS: u32 = 512;
+/// Variance of the field that the map does not hold, of one.
+pub const FINE_VARIANCE: f64 = 0.32;
+/// Height of the base of water clouds, metres.
 pub const BASE_M: f64 = 900.0;
+/// Height of ice clouds, metres.
+pub const ICE_M: f64 = 9_000.0;
 /// How long a weather lasts before the next has taken its place, seconds.
 const WEATHER_S: f64 = 3.0 * 86_400.0;
 /// Clouds go round the earth in this time, seconds, eastwards: 7.5 m/s at the equator.

@@ -6,14 +6,13 @@ use glam::Vec4;
 use super::due::Due;
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::{Gpu, shader};
-use crate::model::clouds::{self, STORMS, Weather};
-
-/// Texels along a side of the octahedral map.
-pub const SIDE: u32 = 512;
+use crate::model::clouds::{self, MAP_TEXELS, STORMS, Weather};
+use crate::scene::frame::uniform::clouds_field;
 
 /// The composed shader.
 pub fn source() -> String {
-    shader::composed(include_str!("../../shaders/cloud_map.wgsl"), "")
+    let storms = format!("const STORMS = {STORMS}u;\n");
+    shader::composed(include_str!("../../shaders/cloud_map.wgsl"), &(storms + &clouds_field()))
 }
 
 /// What the shader is told of a weather.
@@ -41,7 +40,7 @@ impl CloudMap {
         use wgpu::BufferUsages as B;
         let layout = gpu.layout("cloud map", wgpu::ShaderStages::COMPUTE, &[Bind::Uniform, Bind::StorageWrite]);
         let told = gpu.empty_buffer("weather", B::UNIFORM | B::COPY_DST, size_of::<Told>() as u64);
-        let levels = gpu.empty_buffer("cloud levels", B::STORAGE, u64::from(SIDE * SIDE) * 8);
+        let levels = gpu.empty_buffer("cloud levels", B::STORAGE, u64::from(MAP_TEXELS * MAP_TEXELS) * 8);
         let [pipeline] = gpu.compute("cloud map", &source(), &[&layout], ["make"]);
         let group = gpu.bind("cloud map", &layout, &[told.as_entire_binding(), levels.as_entire_binding()]);
         Self { pipeline, group, told, due: Due::default(), levels }
@@ -67,7 +66,7 @@ impl CloudMap {
         if self.due.take() {
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &self.group, &[]);
-            pass.dispatch_workgroups(SIDE / 8, SIDE / 8, 1);
+            pass.dispatch_workgroups(MAP_TEXELS / 8, MAP_TEXELS / 8, 1);
         }
     }
 }

@@ -47,9 +47,16 @@ impl Clouds {
         self.depth = Some(gpu.bind("clouds", &self.layout, &[wgpu::BindingResource::TextureView(depth)]));
     }
 
-    /// One triangle over the picture.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, globe: bool, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        let Some(depth) = &self.depth else { return };
+    /// One triangle over the part of the picture that clouds may be in (left, top, width, height), from space or not.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        (globe, [left, top, width, height]): (bool, [u32; 4]),
+        frame: &wgpu::BindGroup,
+        surface: &wgpu::BindGroup,
+    ) {
+        let Some(depth) = self.depth.as_ref().filter(|_| width > 0 && height > 0) else { return };
+        pass.set_scissor_rect(left, top, width, height);
         pass.set_pipeline(if globe { &self.globe } else { &self.near });
         for (index, group) in (0..).zip([frame, surface, depth]) {
             pass.set_bind_group(index, group, &[]);

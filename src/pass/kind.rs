@@ -38,7 +38,7 @@ impl Kind {
             under_water: over_ocean && u.under_water != 0,
             spray: frame.has_spray(),
             fine: frame.is_fine(),
-            clouds: frame.weather.is_some() && u.output == 0,
+            clouds: frame.clouds.is_some() && u.output == 0,
         }
     }
 

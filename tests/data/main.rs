@@ -2,6 +2,7 @@
 
 mod bake;
 mod camera;
+mod cloud_area;
 mod coast;
 mod hostile_data;
 mod map_tiles;

@@ -61,7 +61,7 @@ impl Effect {
                 state.settings.layers.shows(layer) && without.is_globe() == frame.is_globe()
             }
             Self::Spray => std::mem::take(&mut without.uniform.spray.x) > 0.0,
-            Self::Clouds => without.weather.take().is_some(),
+            Self::Clouds => without.clouds.take().is_some(),
             Self::Stars => std::mem::take(&mut without.shows_stars),
             Self::CityLights => std::mem::take(&mut without.shows_city_lights),
             Self::Fine => {

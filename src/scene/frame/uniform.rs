@@ -6,6 +6,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
+use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
 use crate::scene::sea::foam;
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
@@ -23,11 +24,22 @@ pub const SHOWS_SKY: u32 = 4;
 /// Numbers that the CPU and the shaders must agree on, as WGSL constants.
 pub fn shared_constants() -> String {
     let bits = [("SHOWS_LAND", SHOWS_LAND), ("SHOWS_SEA", SHOWS_SEA), ("SHOWS_SKY", SHOWS_SKY)];
-    let numbers =
-        [("HELD_BY_DEPTH", HELD_BY_DEPTH), ("LEAST_JACOBIAN", LEAST_JACOBIAN), ("FOAM_HIGHEST", foam::HIGHEST_M)];
+    let numbers = [
+        ("HELD_BY_DEPTH", HELD_BY_DEPTH),
+        ("LEAST_JACOBIAN", LEAST_JACOBIAN),
+        ("FOAM_HIGHEST", foam::HIGHEST_M),
+        ("CLOUD_BASE", clouds::BASE_M),
+        ("ICE_HEIGHT", clouds::ICE_M),
+    ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
-    bits.concat() + &numbers.concat()
+    bits.concat() + &numbers.concat() + &clouds_field()
+}
+
+/// Those of the clouds' field, which the map of their weather needs alone.
+pub fn clouds_field() -> String {
+    let (side, variance) = (clouds::MAP_TEXELS, clouds::FINE_VARIANCE);
+    format!("const CLOUD_SIDE = {side}u;\nconst CLOUD_VARIANCE: f32 = {variance:?};\n")
 }
 
 /// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
@@ -154,7 +166,7 @@ gpu_struct! {
         /// See cloud_eye.
         cloud_meridian: Vec2 = "vec2f",
         /// Unused.
-        cloud_unused: Vec2 = "vec2f",
+        unused: Vec2 = "vec2f",
         /// Xy, xz, yz.
         quadric_mixed: Vec3 = "vec3f",
         /// The projected grid is cast from this far above the eye.
