@@ -8,7 +8,7 @@
 @group(2) @binding(0) var scene_depth: texture_depth_2d;
 
 const MOST_STEPS = 24.0;
-const SHORTEST_STEP: Metres = 150.0;
+const SHORTEST_STEP: Metres = 250.0;
 const SUNWARDS: Metres = 350.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.002;                    // shade that is not worth light
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one

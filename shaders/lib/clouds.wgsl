@@ -113,7 +113,7 @@ fn clouded_daylight(light: Daylight, at: vec3f, up: vec3f, footprint: Metres) ->
     let mu = max(dot(frame.light, up), 0.05);
     let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
     let weather = cloud_weather(overhead).x;
-    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 250.0), 0.1), 0.1);
+    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
     let cover = in_cloud(vec2f(weather, CLOUD_VARIANCE), 0.0).share;
     let diffuse = 0.35 * light.sun * mu;
