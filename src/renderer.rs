@@ -240,7 +240,7 @@ impl Renderer {
         let stars = stars.map(|stars| stars.prepare(&self.gpu, frame));
         let city_lights = self.city_lights.as_mut().filter(|_| is_seen && frame.shows_city_lights);
         let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame));
-        let points = stars.into_iter().chain(city_lights);
+        let points = stars.into_iter().flatten().chain(city_lights);
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());

@@ -1,22 +1,28 @@
 // Points of light: each a small triangle with a round spot in it.
 
 const SPOT: f32 = 0.75;        // standard deviation of a spot, pixels
-const REACH: f32 = 3.0;        // of the spots, pixels
+const REACH: f32 = 4.0;        // of the spots, standard deviations
 
 struct Spot {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) light: vec3f,  // in its middle, as the display's tone takes it
-    @location(1) offset: vec2f,                    // from its middle, pixels
+    @location(1) offset: vec2f,                    // from its middle, standard deviations
 }
 
 fn no_spot() -> Spot { return Spot(vec4f(2.0, 2.0, 0.0, 1.0), vec3f(0.0), vec2f(0.0)); }
 
-fn spot_at(clip: vec4f, depth: f32, light: vec3f, index: u32) -> Spot {
+fn spot_of(clip: vec4f, depth: f32, deviation: f32, light: vec3f, index: u32) -> Spot {
     let offset = array(vec2f(0.0, 2.0), vec2f(-1.7321, -1.0), vec2f(1.7321, -1.0))[index % 3u] * REACH;
-    return Spot(vec4f(clip.xy / clip.w + 2.0 * offset / frame.viewport, depth, 1.0), light, offset);
+    return Spot(vec4f(clip.xy / clip.w + 2.0 * deviation * offset / frame.viewport, depth, 1.0), light, offset);
 }
+
+// A point of light.
+fn spot_at(clip: vec4f, depth: f32, light: vec3f, index: u32) -> Spot { return spot_of(clip, depth, SPOT, light, index); }
+
+// A part of something wide at an endless distance; `deviation` in pixels.
+fn wide_spot_at(clip: vec4f, deviation: f32, light: vec3f, index: u32) -> Spot { return spot_of(clip, 0.0, deviation, light, index); }
 
 @fragment
 fn fragment(spot: Spot) -> @location(0) vec4f {
-    return vec4f(spot.light * exp(-0.5 * dot(spot.offset, spot.offset) / (SPOT * SPOT)), 0.0);
+    return vec4f(spot.light * exp(-0.5 * dot(spot.offset, spot.offset)), 0.0);
 }

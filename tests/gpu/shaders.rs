@@ -45,6 +45,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("sky_table.wgsl", sky_table::source()),
         ("sky_view.wgsl", sky_view::source()),
         ("stars.wgsl", stars::source()),
+        ("milky_way.wgsl", stars::milky_way_source()),
         ("tonemap.wgsl", tonemap::source(false)),
         ("tonemap.wgsl", tonemap::source(true)),
         ("bloom_down.wgsl", bloom_down),

@@ -174,3 +174,30 @@ fn a_city_is_lit_where_it_lies_by_night_alone_and_no_sea_is() {
     println!("{lit} pixels of Oahu are lit, {at_sea} of the sea about it");
     assert!(lit > 100 && at_sea == 0, "{lit}, {at_sea}");
 }
+
+#[test]
+fn the_milky_way_lies_along_the_galaxy() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // Half of the pixels in the middle, 15 degrees wide, show no star: their median is what is between stars.
+    let mut between_stars = |time: &str| {
+        let mut sum = |layers: &str| {
+            let view = format!("#view=-28.9,20,3,0,180&bft=3&time={time}&layers=-clouds{layers}");
+            let picture = render::picture(&mut renderer, &render::parse_state(&view).unwrap(), SIZE).unwrap();
+            let third = |i: &usize, side: usize| (side / 3..side - side / 3).contains(i);
+            let [width, height] = SIZE.map(|side| side as usize);
+            let pixels = picture.chunks_exact(4).enumerate();
+            let middle = pixels.filter(|(i, _)| third(&(i % width), width) && third(&(i / width), height));
+            middle.map(|(_, p)| p[..3].iter().map(|v| i32::from(*v)).sum::<i32>()).collect::<Vec<_>>()
+        };
+        let [with, without] = [sum(""), sum(",-stars")];
+        let mut light: Vec<i32> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
+        light.sort_unstable();
+        light[light.len() / 2]
+    };
+    // Sidereal times, by the formula of the Astronomical Almanac, that put the galaxy's middle (17 h 46 min, -28.9 degrees) and its south pole
+    // (0 h 51 min, -27.1 degrees) overhead; both nights without a moon.
+    let [middle, pole] = ["2026-07-14T20:56:00Z", "2026-11-09T20:17:00Z"].map(&mut between_stars);
+    println!("between stars: {middle} towards the middle of the galaxy, {pole} away from it, of 765");
+    // Three steps of each colour are seen beside none.
+    assert!(middle >= 9 && pole == 0, "{middle}, {pole}");
+}
