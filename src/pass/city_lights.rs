@@ -16,8 +16,8 @@ const MOST: usize = 1 << 16;
 const MOST_OF_TOWN: f64 = 192.0;
 /// Pixels of a town for each of its lamps.
 const PIXELS: f64 = 5.0;
-/// Radiance that a picture of low quality shows from, of the brightest: a third of all.
-const FAINTEST_OF_LOW: f64 = 0.02;
+/// Radiance that a picture of low quality shows from, of the brightest, nearer and from space: a third of all, and what makes out coasts.
+const FAINTEST_OF_LOW: [f64; 2] = [0.02, 0.2];
 /// The highest ground with lamps, m.
 const HIGHEST_M: f64 = 4_500.0;
 /// How far beyond the picture's edges lamps are drawn, half widths: more than a spot reaches.
@@ -164,8 +164,9 @@ fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
     let horizon = |height: f64| (height.max(0.0) * (2.0 * WGS84.a + height.max(0.0))).sqrt();
     let farthest = horizon(frame.camera.altitude_m) + horizon(HIGHEST_M);
     let pixel = f64::from(u.pixel_angle);
-    let faintest = if frame.quality == Quality::Low { FAINTEST_OF_LOW } else { 0.0 };
     let from_space = is_from_space(frame);
+    let is_low = frame.quality == Quality::Low;
+    let faintest = if is_low { FAINTEST_OF_LOW[usize::from(from_space)] } else { 0.0 };
     let shown = BRIGHTNESS * f64::from(u.exposure * u.night);
     let of = |(index, town): (usize, &Town)| {
         let day = town.normal.dot(sun);

@@ -11,8 +11,8 @@ use glam::{DMat3, DMat4, DVec3};
 /// How far beyond the picture's edges stars are drawn, half widths: more than a spot reaches. And parts of the Milky Way.
 const EDGE: f64 = 1.1;
 const WIDE_EDGE: f64 = 1.3;
-/// The faintest stars of a picture of low quality, magnitudes: a fifth of all.
-const FAINTEST_OF_LOW: f64 = 4.5;
+/// The faintest stars of a picture of low quality, magnitudes: a tenth of all.
+const FAINTEST_OF_LOW: f64 = 4.0;
 /// How far the vertical may lean from the way to the earth's middle, and some more, radians.
 const FLATTENING_REACH: f64 = 0.01;
 
