@@ -7,11 +7,20 @@
 
 @group(2) @binding(0) var scene_depth: texture_depth_2d;
 
-const MOST_STEPS = 24.0;
-const SHORTEST_STEP: Metres = 250.0;
-const SUNWARDS: Metres = 350.0;         // where a cloud looks whether it is in the shadow of others
-const FAINT = 0.002;                    // shade that is not worth light
+const MOST_STEPS = 24.0;                // through the whole layer from space
+const MOST_LOOKS = 72u;
+const SHORTEST_STEP: Metres = 160.0;
+const STEP_OF_WAY = 0.11;               // steps grow with the way
+const FINER = 4.0;                      // steps in a cloud, of those between
+const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
+const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
+const FAINT = 0.004;                    // shade that is not worth light
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
+const CLOUD_OPACITY = 0.022;           // per metre, a deviation above the edge: what hides, not what darkens
+const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
+// Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
+const CLOUD_GAPS: Metres = 120.0;
+const CLOUD_LEAST = 0.1;
 
 // Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
 fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: f32) -> vec3f {
@@ -43,43 +52,59 @@ fn layer_stretch(ray: Ray, far: Metres) -> vec2f {
     return select(vec2f(first, last), vec2f(1.0, 0.0), missed);
 }
 
-// Water clouds between the eye and `far`. One look at the field a turn: along the sight, and where that has met a cloud, from there towards
-// the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a pixel looks.
+// Water clouds between the eye and `far`. One look at the field a turn: along the sight with wide steps; where these meet a cloud, with fine ones;
+// and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
+// pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
-    let steps = clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), select(3.0, 2.0, GLOBE), MOST_STEPS);
-    let step = length / steps;
+    let is_wide = GLOBE | (stretch.x * frame.pixel_angle > WIDE_PIXEL);
+    let from_space = length / clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), 2.0, MOST_STEPS);
     var veil = Veil(vec3f(0.0), 1.0);
     var way = 0.0;
-    var i = 0u;
+    var t = stretch.x;
+    var fine_left = 0u;
+    var look = 0u;
     var met = 0.0;
+    var met_excess = 0.0;
     loop {
-        let t = stretch.x + (f32(i) + grain) * step;
-        let at = direction * t;
-        let height = (height_along(ray, t) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
+        let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
+        let is_fine = fine_left > 0u;
+        let step = select(wide, wide / FINER, is_fine);
+        // Wide steps are the same for all pixels.
+        let sight = t + select(0.5, grain, is_fine) * step;
+        let at = direction * sight;
+        let height = (height_along(ray, sight) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
         let mu = sun_cosine(at);
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
-        let edge = CLOUD_TALL * select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit);
-        let footprint = max(t * frame.pixel_angle, select(0.4 * step, 700.0, is_lit));
+        let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
+        let footprint = max(sight * frame.pixel_angle, select(select(0.4, 0.28, is_fine) * step, max(0.6 * step, 120.0), is_lit));
         let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
-        let opaque = cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * step / clouds));
+        let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * frame.pixel_angle), 1.0), 0.8), CLOUD_LEAST);
+        let opaque = cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds));
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
-        // From space a pixel is wider than shadows are long.
-        met = select(shade, 0.0, GLOBE | is_lit | (shade < FAINT));
-        if GLOBE | is_lit {
+        let is_cloud = shade >= FAINT;
+        let is_found = !is_wide & !is_fine & is_cloud;
+        if is_lit | (is_wide & is_cloud) {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-            let optical_depth = 0.5 * CLOUD_EXTINCTION * over * cloud.share * cloud.excess;
+            let optical_depth = CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide) * over * cloud.share * cloud.excess + 60.0 * met_excess);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, optical_depth, saturate(height), phase);
-            way += veil.through * shade * t;
+            way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
         }
-        i += select(0u, 1u, met == 0.0);
-        if f32(i) >= steps || veil.through < 0.01 || step == 0.0 { break; }
+        let waits = !is_lit & is_fine & is_cloud;
+        met = select(0.0, shade, waits);
+        met_excess = cloud.excess;
+        let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found);
+        fine_left = select(left, fine_left, waits);
+        // What the step before may have missed is looked at again.
+        t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.x);
+        look++;
+        if t >= stretch.y || veil.through < 0.02 || step == 0.0 || look == MOST_LOOKS { break; }
     }
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
@@ -117,9 +142,9 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         far = min(far, NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3));
     }
     let phase = cloud_phase(dot(direction, frame.light));
-    // Each pixel looks a little elsewhere: grain instead of bands.
-    let grain = 0.3 + 0.4 * f32(hash(vec3u(pixel, 0u)) >> 8u) / 16777216.0;
-    let water = water_clouds(ray, direction, far, phase, grain);
+    // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
+    let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));
+    let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }

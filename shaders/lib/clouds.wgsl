@@ -11,7 +11,7 @@
 
 const CLOUD_TOP: Metres = 2100.0;
 const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
-const CLOUD_SOFT = 0.22;            // deviations over which its edge goes
+const CLOUD_SOFT = 0.1;             // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
@@ -88,7 +88,7 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
 // Optical depth of ice clouds straight up at a place: fibres, drawn out along the parallels and bent by the wind.
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let weather = cloud_weather(place).y;
-    let bent = place + 60000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
+    let bent = place + 22000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
     let drawn = vec3f(0.22, 0.22, 1.0);
     var sum = weather;
     var cell = 16000.0;
@@ -104,6 +104,9 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let above = max(sum, 0.0);
     return 0.35 * above * above / (1.0 + above);
 }
+
+// The level above which a place at a height, 0 at the base and 1 at the top of the layer, is in cloud: clouds are domes on a level base.
+fn cloud_edge(height: f32) -> f32 { return CLOUD_TALL * height * max(height, 0.0); }
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 
