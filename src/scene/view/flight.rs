@@ -16,6 +16,8 @@ const SAMPLES: usize = 96;
 pub struct Flight {
     from: Camera,
     to: Camera,
+    /// Where heights are counted from, metres: a metre below the lower end, if that is near the water or in it.
+    floor_m: f64,
     /// How much the logarithm of the height rises above the straight way, at the middle.
     rise: f64,
     /// The part of the great circle that is behind the eye at each of the even steps in height.
@@ -28,13 +30,14 @@ impl Flight {
     pub fn new(from: Camera, to: Camera) -> Self {
         let ups = [from, to].map(|camera| earth::normal(camera.lat, camera.lon));
         let ground_m = ups[0].angle_between(ups[1]) * earth::WGS84.a;
-        let [low, high] = [from, to].map(|camera| camera.altitude_m.max(1.0).ln());
+        let floor_m = (from.altitude_m.min(to.altitude_m) - 1.0).min(0.0);
+        let [low, high] = [from, to].map(|camera| (camera.altitude_m - floor_m).ln());
         // High enough that both ends are seen together; no arc where one end already is.
         let peak = (ground_m * 0.5).max(1.0).ln();
         let rise = if peak > low.max(high) { peak - (low + high) / 2.0 } else { 0.0 };
         let climb = (high - low).abs() + 2.0 * rise;
         let mut flight =
-            Self { from, to, rise, way: [0.0; SAMPLES + 1], duration_s: (1.5 + 0.3 * climb).clamp(2.0, 7.0) };
+            Self { from, to, floor_m, rise, way: [0.0; SAMPLES + 1], duration_s: (1.5 + 0.3 * climb).clamp(2.0, 7.0) };
         flight.measure_way();
         flight
     }
@@ -77,13 +80,10 @@ impl Flight {
         .normalized()
     }
 
-    /// Height at a part of the flight, metres. Below one metre it runs straight, above in the logarithm.
+    /// Height at a part of the flight, metres: even in its logarithm over the floor.
     fn altitude_m(&self, s: f64) -> f64 {
-        let [from_m, to_m] = [self.from.altitude_m, self.to.altitude_m];
-        if from_m < 1.0 || to_m < 1.0 {
-            return from_m + (to_m - from_m) * s;
-        }
-        (from_m.ln() + (to_m / from_m).ln() * s + 4.0 * s * (1.0 - s) * self.rise).exp()
+        let [from_m, to_m] = [self.from, self.to].map(|camera| camera.altitude_m - self.floor_m);
+        self.floor_m + (from_m.ln() + (to_m / from_m).ln() * s + 4.0 * s * (1.0 - s) * self.rise).exp()
     }
 
     /// Spends the way over ground where the eye is high, so that it seems to move evenly.
