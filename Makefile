@@ -1,6 +1,6 @@
 # The program and its page. `make run` and `make test` need nothing installed but Rust (rustup) and Node with npm.
 
-.PHONY: run build test soak bench bake fmt lint
+.PHONY: run build test soak bench bake gallery fmt lint
 
 run:    ## sets up, builds and serves the page on http://127.0.0.1:8080 (PORT=9000 make run: on another port)
 	@scripts/run.sh
@@ -21,6 +21,9 @@ bench:  ## measures the waves on CPU and GPU, what a pixel of the sea reads, the
 
 bake:   ## makes the bundled world anew from its public sources
 	@scripts/make-world.sh
+
+gallery: ## draws docs/gallery from its links, and the small pictures of the named views
+	@scripts/make-gallery.sh
 
 fmt:    ## formats the code
 	@cargo fmt

@@ -21,6 +21,7 @@ pub mod moon;
 pub mod moved_water;
 pub mod noise;
 pub mod optics;
+pub mod overcast;
 pub mod perlin;
 pub mod quadrature;
 pub mod rough_water;

@@ -214,7 +214,7 @@ impl Default for Settings {
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,
-            clouds: 0.0,
+            clouds: 0.45,
             water: Water::Auto,
             water_density_per_m: 0.2,
         }

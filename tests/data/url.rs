@@ -104,7 +104,7 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
     assert_eq!(state.format_fragment(None), "");
     assert_eq!(good(""), state);
     assert_eq!(good("#"), state);
-    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0&water=auto&time=now&rate=1&seed=0\
+    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0.45&water=auto&time=now&rate=1&seed=0\
                  &quality=auto&v=1&layers=";
     assert_eq!(good(table), state);
     let s = state.settings;

@@ -111,7 +111,7 @@ fn lonlat_is_right_to_a_pixel_from_deck_to_orbit() {
         "88,0,3e6",
     ];
     for view in views {
-        let state = render::parse_state(&format!("#view={view}&bft=0&time=2026-06-21T12:00:00Z")).unwrap();
+        let state = render::parse_state(&format!("#view={view}&clouds=0&bft=0&time=2026-06-21T12:00:00Z")).unwrap();
         let measured = render::measure(&mut renderer, &state, size, LayerName::Lonlat).unwrap();
         let (mut worst, mut seen, mut missed) = (0.0f64, 0, 0);
         for (y, x) in (0..90usize).flat_map(|y| (0..160usize).map(move |x| (y, x))) {

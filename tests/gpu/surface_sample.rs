@@ -127,7 +127,8 @@ fn height_and_normal_are_those_of_a_picture() {
     let (mut heights, mut angles) = (Vec::new(), Vec::new());
     for (lat, lon) in [(35.6812, -14.25), (-20.0, -179.9999), (0.0, 0.0)] {
         // The eye is lifted to a metre over the water, where pixels of 2 mm and mesh cells of 7 mm see all that the finest texels hold.
-        let state = render::parse_state(&format!("#view={lat},{lon},0.5,0,0&bft=8&time=2026-11-20T12:00:00Z")).unwrap();
+        let state = render::parse_state(&format!("#view={lat},{lon},0.5,0,0&clouds=0&bft=8&time=2026-11-20T12:00:00Z"))
+            .unwrap();
         let height = render::measure(&mut renderer, &state, [513, 513], LayerName::Height).unwrap();
         let normal = render::measure(&mut renderer, &state, [513, 513], LayerName::Normal).unwrap();
         let eye = renderer.eye(&state, NOON);

@@ -18,7 +18,7 @@ const OFFSHORE_M: f64 = 300_000.0;
 const PIXELS_OFF: f64 = 3.0;
 
 /// Views in which the grid was wrong once: it filled the sky with sea, and left out the corners behind an eye that looks down.
-const WRONG_ONCE: [&str; 2] = ["view=12.4,-44.3,30,180,160", "view=-32.4089,-170.5964,42,291,13"];
+const WRONG_ONCE: [&str; 2] = ["view=12.4,-44.3,30,180,160&clouds=0", "view=-32.4089,-170.5964,42,291,13&clouds=0"];
 
 /// A view: any place, 2 m to 30,000 km high, any heading and tilt. One wind: a sea takes longer to make than its pictures.
 fn view(number: i32) -> String {
@@ -28,7 +28,7 @@ fn view(number: i32) -> String {
     let row = |row| noise::bits(9, 9, number, row).map(|bits| bits as f64 / 2f64.powi(64));
     let ([a, b], [c, d], [e, _]) = (row(0), row(1), row(2));
     let (lat, lon) = ((2.0 * a - 1.0).asin().to_degrees(), 360.0 * b - 180.0);
-    format!("view={lat:.4},{lon:.4},{:.1},{:.1},{:.1}", 2.0 * 1.5e7f64.powf(c), 360.0 * d, 180.0 * e)
+    format!("view={lat:.4},{lon:.4},{:.1},{:.1},{:.1}&clouds=0", 2.0 * 1.5e7f64.powf(c), 360.0 * d, 180.0 * e)
 }
 
 /// How many of nine rays, through a pixel and [`PIXELS_OFF`] around it, meet the ellipsoid moved outward by `lift` metres; `None` from

@@ -32,7 +32,7 @@ fn number(value: &Value, key: &str) -> f64 {
 
 #[test]
 fn the_record_of_a_height_is_that_of_its_frames() {
-    let view = "#view=35.68,-14.25,560,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=low&mesh=bisect,12,4000";
+    let view = "#view=35.68,-14.25,560,262,75&clouds=0&bft=8&time=2026-11-20T12:00:00Z&quality=low&mesh=bisect,12,4000";
     let record = record("bench.json", view);
     let [view, grid, bisect] = [&record["views"][0], &record["heights"][0], &record["heights"][1]];
     assert_eq!((&grid["mesh"], &bisect["mesh"]), (&"grid".into(), &"bisect".into()));
@@ -86,7 +86,7 @@ fn noise_of(renderer: &Renderer) -> (Vec<f32>, usize) {
 #[test]
 fn a_frame_without_noise_neither_shows_nor_makes_it() {
     let mut renderer = headless("www/data", Radiance::Single).unwrap();
-    let state = parse_state("#view=35.68,-14.25,30000&bft=8&time=2026-11-20T12:00:00Z&quality=low").unwrap();
+    let state = parse_state("#view=35.68,-14.25,30000&clouds=0&bft=8&time=2026-11-20T12:00:00Z&quality=low").unwrap();
     let (frame, target) = draw(&mut renderer, &state, [32, 32], Output::PerlinWeight).unwrap();
     let (weights, dispatches) = noise_of(&renderer);
     assert!(weights.iter().all(|weight| *weight == 1.0), "beyond 16 km the noise is alone");

@@ -10,7 +10,7 @@ const SIZE: [u32; 2] = [640, 180];
 /// Share of the columns whose highest crest ends in a pixel that is between sky and sea.
 fn between(renderer: &mut Renderer, quality: &str) -> f64 {
     // No foam, so that the sea under a crest is one dark blue; into the wind, away from the sun.
-    let link = "#view=35.6812,-14.25,2,262,88&ride=1&bft=8&time=2026-11-20T12:00:00Z&rate=0&layers=-foam";
+    let link = "#view=35.6812,-14.25,2,262,88&clouds=0&ride=1&bft=8&time=2026-11-20T12:00:00Z&rate=0&layers=-foam";
     let state = render::parse_state(&format!("{link}&quality={quality}")).unwrap();
     let (_, target) = render::draw(renderer, &state, SIZE, Output::Picture).unwrap();
     let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
@@ -42,7 +42,8 @@ fn shores_from_space_end_in_pixels_between_sea_and_land() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let (mut edges, mut between) = (0, 0);
     for view in ["22,-14,2000000", "-20,14,2500000"] {
-        let state = render::parse_state(&format!("#view={view}&time=2026-11-20T12:30:00Z&quality=low")).unwrap();
+        let state =
+            render::parse_state(&format!("#view={view}&clouds=0&time=2026-11-20T12:30:00Z&quality=low")).unwrap();
         let size = [240, 180];
         let mut layer = |layer| render::measure(&mut renderer, &state, size, layer).unwrap().values;
         let (class, radiance) = (layer(LayerName::Class), layer(LayerName::Radiance));

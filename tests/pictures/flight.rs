@@ -9,8 +9,8 @@ use ocean_globe::scene::view::named::VIEWS;
 
 /// With foam, which has a history, and a clock that stands still, so that the last frame shows the second view as it is.
 const SEA: &str = "bft=8&quality=low&time=2026-11-20T12:00:00Z&rate=0";
-const COAST: &str = "#view=28.8545,-13.792,560,253,71";
-const ABOVE: &str = "#view=28.9,-13.9,30000,184,56";
+const COAST: &str = "#view=28.8545,-13.792,560,253,71&clouds=0";
+const ABOVE: &str = "#view=28.9,-13.9,30000,184,56&clouds=0";
 
 fn program(args: &[&str]) -> Output {
     let data = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -91,7 +91,9 @@ fn a_flight_can_be_taken_up_again_and_ends_at_its_views() {
 #[test]
 fn a_frame_does_not_depend_on_those_before_it() {
     let folder = folder("foam");
-    let view = |alt_m: u32| format!("#view=35.6812,-14.25,{alt_m},253,70&bft=9&quality=low&time=2026-11-20T12:00:00Z");
+    let view = |alt_m: u32| {
+        format!("#view=35.6812,-14.25,{alt_m},253,70&clouds=0&bft=9&quality=low&time=2026-11-20T12:00:00Z")
+    };
     let (from, to) = (view(20), view(30));
     let out = folder.to_str().unwrap();
     let flight = ["--flight", &from, &to, "--frames", "3", "--fps", "1", "--size", "128x72", "-o", out];

@@ -31,7 +31,7 @@ fn horizon_and_limb_are_the_ellipsoids_to_a_pixel() {
         .flat_map(|view| PLACES.map(|place| (view, place)))
     {
         for mesh in MESHES {
-            let link = format!("#view={place},{view}&bft=0&quality=low&time=2026-06-21T12:00:00Z&mesh={mesh}");
+            let link = format!("#view={place},{view}&clouds=0&bft=0&quality=low&time=2026-06-21T12:00:00Z&mesh={mesh}");
             let state = parse_state(&link).unwrap();
             let class = measure(&mut renderer, &state, SIZE, LayerName::Class).unwrap().values;
             let (mut worst, mut edge) = (0.0f64, 0);
@@ -69,7 +69,8 @@ fn a_pixel_on_the_edge_shows_the_sea_by_its_share() {
         .iter()
         .flat_map(|view| MESHES.map(|mesh| (view, mesh)))
     {
-        let link = format!("#view={view}&bft=0&quality=low&time=2026-06-21T12:00:00Z&layers=-land,-sky&mesh={mesh}");
+        let link =
+            format!("#view={view}&clouds=0&bft=0&quality=low&time=2026-06-21T12:00:00Z&layers=-land,-sky&mesh={mesh}");
         let state = parse_state(&link).unwrap();
         let luminance = measure(&mut renderer, &state, SIZE, LayerName::Luminance).unwrap().values;
         let sky = luminance[0];

@@ -56,7 +56,7 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
 
 /// Radiance in the middle of a picture.
 fn seen(renderer: &mut Renderer, view: &str) -> [f64; 3] {
-    let state = render::parse_state(&format!("#view={view}&{AT_40_DEG}")).unwrap();
+    let state = render::parse_state(&format!("#view={view}&clouds=0&{AT_40_DEG}")).unwrap();
     let measured = render::measure(renderer, &state, [9, 9], LayerName::Radiance).unwrap();
     assert_eq!(measured.shape, [9, 9, 3]);
     std::array::from_fn(|part| measured.values[3 * 40 + part])
@@ -93,7 +93,7 @@ fn sea(renderer: &mut Renderer, depression: f64, hour: &str) -> [f64; 3] {
     let (mut sum, mut count) = ([0.0; 3], 0.0);
     for place in 0..5 {
         let lon = -30.0 + 0.01 * f64::from(place);
-        let state = format!("#view=0,{lon},15,0,{}&{hour}", 90.0 - depression);
+        let state = format!("#view=0,{lon},15,0,{}&clouds=0&{hour}", 90.0 - depression);
         let measured =
             render::measure(renderer, &render::parse_state(&state).unwrap(), size, LayerName::Radiance).unwrap();
         // The picture is 60 degrees high.
@@ -134,7 +134,7 @@ fn sky_luminance(renderer: &mut Renderer, sun: &str) -> Vec<[f64; 7]> {
     for (turn, column) in columns.iter_mut().enumerate() {
         // The sun sets in the west. Pictures are 60 degrees high: two of them reach from 1.5 to 89.
         for (middle, elevations) in [(28.0, 0..15), (62.0, 15..30)] {
-            let link = format!("#view=0,-30,15,{},{}&wind=7@90&{sun}", 270 - 30 * turn, 90.0 + middle);
+            let link = format!("#view=0,-30,15,{},{}&clouds=0&wind=7@90&{sun}", 270 - 30 * turn, 90.0 + middle);
             let state = render::parse_state(&link).unwrap();
             let values = render::measure(renderer, &state, [5, ROWS], LayerName::Luminance).unwrap().values;
             for step in elevations {
@@ -213,7 +213,7 @@ fn no_pixel_is_black_or_burnt_but_in_the_glint() {
         for wind in [3, 7, 12] {
             // Away from the sun and across it, foam and sky with it.
             for heading in [90, 0] {
-                let link = format!("#view=0,-30,15,{heading},84&wind={wind}@90&{}", with_sun_at(elevation));
+                let link = format!("#view=0,-30,15,{heading},84&clouds=0&wind={wind}@90&{}", with_sun_at(elevation));
                 let state = render::parse_state(&link).unwrap();
                 let values = render::measure(&mut renderer, &state, [160, 90], LayerName::Radiance).unwrap().values;
                 let camera = state.camera;
@@ -258,7 +258,7 @@ fn dense_foam_outshines_the_sea_and_the_sky_at_the_horizon() {
     let dark = luminance(sea(&mut renderer, 45.0, AT_40_DEG));
     let sky = luminance(seen(&mut renderer, "0,-30,10,0,91"));
     // The brightest thousandth of a sea full of whitecaps, too calm for spray, without sparkles.
-    let link = "#view=0,-30,15,0,45&wind=14@90&foam=3&quality=low&time=2026-03-20T17:27:30Z&water=open";
+    let link = "#view=0,-30,15,0,45&clouds=0&wind=14@90&foam=3&quality=low&time=2026-03-20T17:27:30Z&water=open";
     let state = render::parse_state(link).unwrap();
     let mut values = render::measure(&mut renderer, &state, [320, 180], LayerName::Luminance).unwrap().values;
     values.sort_by(f64::total_cmp);
@@ -288,7 +288,7 @@ fn the_ocean_from_space_is_as_bright_as_it_is() {
 
 /// Radiance straight down from 60 m over a place, without foam.
 fn water(renderer: &mut Renderer, place: &str, time: &str, kind: &str) -> [f64; 3] {
-    let link = format!("#view={place},60,0,0&wind=3@90&layers=-foam&time={time}&water={kind}");
+    let link = format!("#view={place},60,0,0&clouds=0&wind=3@90&layers=-foam&time={time}&water={kind}");
     let state = render::parse_state(&link).unwrap();
     let values = render::measure(renderer, &state, [32, 32], LayerName::Radiance).unwrap().values;
     let pixels = values.len() as f64 / 3.0;
@@ -354,7 +354,7 @@ fn the_display_has_the_tone_of_agx() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let size = [64, 36];
     for view in ["36.5,-9.5,15,290,86&bft=3&time=2026-06-21T19:50:00Z", "20,-40,9e6&time=2026-06-21T14:30:00Z"] {
-        let state = render::parse_state(&format!("#view={view}&quality=low&rate=0")).unwrap();
+        let state = render::parse_state(&format!("#view={view}&clouds=0&quality=low&rate=0")).unwrap();
         let measured = render::measure(&mut renderer, &state, size, LayerName::Radiance).unwrap();
         let (frame, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();
         let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
@@ -375,7 +375,7 @@ fn the_display_has_the_tone_of_agx() {
 fn foam_can_be_taken_away() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let mut mean = |layers: &str| {
-        let link = format!("#view=45,-30,60,70,40&bft=9&quality=low&time=2026-06-21T14:00:00Z{layers}");
+        let link = format!("#view=45,-30,60,70,40&clouds=0&bft=9&quality=low&time=2026-06-21T14:00:00Z{layers}");
         let measured =
             render::measure(&mut renderer, &render::parse_state(&link).unwrap(), [64, 36], LayerName::Luminance);
         let values = measured.unwrap().values;

@@ -12,12 +12,12 @@ fn the_bisected_mesh_covers_what_the_grid_covers_without_a_hole() {
     let mut renderer = headless("www/data", Radiance::Single).unwrap();
     // Open ocean at the equator and the zero meridian, the antimeridian, an edge and a corner of the cuboid; deck to orbit.
     for view in [
-        "view=35.68,-14.25,2,206,84&bft=8",
-        "view=0,0,560,90,70&bft=6",
-        "view=-40,180,30000,45,60&bft=8",
-        "view=35.26,-135,3000,0,75&bft=5",
-        "view=20,-45,3000000,0,0",
-        "view=16,-25,30000000",
+        "view=35.68,-14.25,2,206,84&clouds=0&bft=8",
+        "view=0,0,560,90,70&clouds=0&bft=6",
+        "view=-40,180,30000,45,60&clouds=0&bft=8",
+        "view=35.26,-135,3000,0,75&clouds=0&bft=5",
+        "view=20,-45,3000000,0,0&clouds=0",
+        "view=16,-25,30000000&clouds=0",
     ] {
         let mut layer = |mesh: &str, layer| {
             let state =
@@ -53,7 +53,8 @@ fn the_bisected_mesh_covers_what_the_grid_covers_without_a_hole() {
 fn whatever_is_seen_anew_wakes_a_sleeping_mesh() {
     let mut renderer = headless("www/data", Radiance::Single).unwrap();
     let vertices = |renderer: &mut Renderer, (view, sea, mesh, size): (&str, &str, &str, [u32; 2])| {
-        let link = format!("#view={view}&{sea}&mesh={mesh}&time=2026-11-20T14:00:00Z&quality=low&layers=-land");
+        let link =
+            format!("#view={view}&clouds=0&{sea}&mesh={mesh}&time=2026-11-20T14:00:00Z&quality=low&layers=-land");
         measure(renderer, &parse_state(&link).unwrap(), size, LayerName::Class).unwrap();
         renderer.cost().unwrap().vertices
     };

@@ -22,7 +22,7 @@ fn slopes_are_those_of_the_ground_to_the_east_and_north() {
     let mut renderer = headless(DATA, Radiance::Single).unwrap();
     let mut world = World::open(DATA);
     for place in MOUNTAINS {
-        let state = parse_state(&format!("#view={place},40000&time=2026-12-21T12:00:00Z")).unwrap();
+        let state = parse_state(&format!("#view={place},40000&clouds=0&time=2026-12-21T12:00:00Z")).unwrap();
         let mut measured = |layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values;
         let (places, normals) = (measured(LayerName::Lonlat), measured(LayerName::Normal));
         let (mut products, mut drawn_power, mut true_power) = (0.0, 0.0, 0.0);

@@ -71,7 +71,7 @@ fn opacity_and_mix_follow_their_formulas() {
     }
     assert!(compared > 500, "only {compared} pixels of water");
 
-    let deck = "#view=35.68,-14.25,400,180,84&bft=5&time=2026-11-20T12:00:00Z";
+    let deck = "#view=35.68,-14.25,400,180,84&clouds=0&bft=5&time=2026-11-20T12:00:00Z";
     let weight = measured(&mut renderer, deck, size, LayerName::PerlinWeight);
     let lonlat = measured(&mut renderer, deck, size, LayerName::Lonlat);
     let camera = render::parse_state(deck).unwrap().camera;
@@ -98,7 +98,8 @@ fn opacity_and_mix_follow_their_formulas() {
 #[test]
 fn a_measured_layer_waits_for_no_foam_and_leaves_the_picture_its_own() {
     let mut renderer = measuring();
-    let state = render::parse_state("#view=35,-30,12,270,80&bft=7&quality=low&time=2026-06-21T12:30:00Z").unwrap();
+    let state =
+        render::parse_state("#view=35,-30,12,270,80&clouds=0&bft=7&quality=low&time=2026-06-21T12:30:00Z").unwrap();
     let size = [64, 36];
     let picture = render::picture(&mut renderer, &state, size).unwrap();
     for begin_anew in [false, true] {

@@ -9,7 +9,7 @@ use ocean_globe::scene::view::state::ViewState;
 
 use crate::hidden_window::{Window, renderer, target};
 
-const STILL: &str = "view=35,-30,12,270,80&wind=14@250&time=2026-06-21T12:30:00Z&rate=0&seed=7";
+const STILL: &str = "view=35,-30,12,270,80&wind=14@250&clouds=0&time=2026-06-21T12:30:00Z&rate=0&seed=7";
 
 #[test]
 fn without_the_panel_the_window_shows_the_renderers_picture_exactly() {
@@ -146,7 +146,7 @@ fn a_named_view_makes_an_entry_in_the_history_and_the_address_follows() {
 
 #[test]
 fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
-    let still = "view=35.6812,-14.25,20000,0,0&time=2026-11-20T12:00:00Z&rate=0";
+    let still = "view=35.6812,-14.25,20000,0,0&clouds=0&time=2026-11-20T12:00:00Z&rate=0";
     let mut window = Window::open(still, true, [480, 270]);
     let start = window.state().camera;
     window.press(pos2(100.0, 130.0), true);
@@ -182,7 +182,7 @@ fn a_drag_and_the_wheel_move_the_eye_and_the_panel_does_not_let_them_through() {
 
 #[test]
 fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
-    let still = "view=38,-2,3000000&time=2026-06-21T12:30:00Z&rate=0";
+    let still = "view=38,-2,3000000&clouds=0&time=2026-06-21T12:30:00Z&rate=0";
     // The first pictures are as coarse as the canvas asks for on any processor; a quick one would soon make finer ones.
     let mut window = Window::open(still, false, [640, 360]);
     assert!(window.gpu.software, "{} is a graphics card: this test is about processors", window.gpu.adapter);
@@ -211,7 +211,7 @@ fn a_moving_picture_of_a_processor_is_coarser_and_one_at_rest_is_full() {
 #[test]
 fn from_orbit_time_runs_without_a_picture_and_at_the_deck_with_many() {
     let running = |view: &str| format!("{view}&time=2026-06-21T12:30:00Z&seed=7&quality=low");
-    let mut orbit = Window::open(&running("view=16,-25,30000000"), false, [160, 90]);
+    let mut orbit = Window::open(&running("view=16,-25,30000000&clouds=0"), false, [160, 90]);
     orbit.settle();
     let shown_s = orbit.state().time;
     // 276 km to a pixel: the terminator moves half of it in five minutes. One picture may fall into any three seconds.
@@ -220,7 +220,7 @@ fn from_orbit_time_runs_without_a_picture_and_at_the_deck_with_many() {
     assert!(orbit.repaint_delay > Duration::from_secs(1) || pictures > 0, "{:?}", orbit.repaint_delay);
     orbit.frame(vec![]);
     assert_ne!(orbit.state().time, shown_s, "the time stands still");
-    let mut deck = Window::open(&running("view=35,-30,12,270,80&wind=5@250"), false, [160, 90]);
+    let mut deck = Window::open(&running("view=35,-30,12,270,80&wind=5@250&clouds=0"), false, [160, 90]);
     deck.settle();
     let [frames, pictures] = deck.run_for(3.0);
     assert!(pictures >= 3 && frames >= pictures, "{pictures} pictures, {frames} frames");

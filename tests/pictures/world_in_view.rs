@@ -45,7 +45,7 @@ fn land_is_land_on_every_side_of_the_globe() {
         ("Tasman Sea", "-40,160,2000", 1.0),
         ("North Pole", "90,0,2000", 1.0),
     ] {
-        let state = render::parse_state(&format!("#view={place}&time=2026-06-21T12:00:00Z")).unwrap();
+        let state = render::parse_state(&format!("#view={place}&clouds=0&time=2026-06-21T12:00:00Z")).unwrap();
         let seen = render::measure(&mut renderer, &state, size, LayerName::Class).unwrap();
         assert!(seen.values.iter().all(|value| *value == class), "{name}: {:?}", seen.values);
     }
@@ -55,7 +55,7 @@ fn land_is_land_on_every_side_of_the_globe() {
 #[test]
 fn no_deep_sea_bed_lies_bare_where_the_ground_is_coarser_than_its_shore() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
-    let view = "view=61.2,6.5,3000,250,75&bft=1&time=2026-06-21T21:00:00Z";
+    let view = "view=61.2,6.5,3000,250,75&clouds=0&bft=1&time=2026-06-21T21:00:00Z";
     let state = render::parse_state(view).unwrap();
     let [classes, heights, opacities] = [LayerName::Class, LayerName::Height, LayerName::Mask]
         .map(|layer| render::measure(&mut renderer, &state, [1280, 720], layer).unwrap().values);
@@ -83,7 +83,8 @@ fn the_globe_from_space_is_that_of_the_tiles_and_the_sea() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let size = [320, 180];
     for place in ["30,85", "47,10", "-80,40", "82,-40", "-20,-68"] {
-        let mut state = render::parse_state(&format!("#view={place},1e6,20,15&time=2026-06-21T09:00:00Z")).unwrap();
+        let mut state =
+            render::parse_state(&format!("#view={place},1e6,20,15&clouds=0&time=2026-06-21T09:00:00Z")).unwrap();
         let pixel_angle = f64::from(renderer.frame(&state.settings, &state.camera, 0.0, size).uniform.pixel_angle);
         let seen = [0.99999, 1.00001].map(|side| {
             state.camera.altitude_m = side * RELIEF_M / pixel_angle;
@@ -117,14 +118,15 @@ fn the_eye_stays_over_the_ground_and_the_waves() {
         render::draw(&mut renderer, &state, [8, 8], Output::Class).unwrap();
         renderer.eye(&state, render::instant(&state)).altitude_m
     };
-    let pole = eye("#view=-89.99,0,500,0,80");
+    let pole = eye("#view=-89.99,0,500,0,80&clouds=0");
     assert!((2_760.0..2_870.0).contains(&pole), "the South Pole stands 2,810 m high: {pole}");
     // Somewhere within ten minutes a crest of a hurricane passes higher than 1 m; the eye goes up with it, never down.
-    let heights: Vec<f64> =
-        (0..10).map(|minute| eye(&format!("#view=0,-20,1,90,85&bft=12&time=2026-03-20T12:0{minute}:00Z"))).collect();
+    let heights: Vec<f64> = (0..10)
+        .map(|minute| eye(&format!("#view=0,-20,1,90,85&clouds=0&bft=12&time=2026-03-20T12:0{minute}:00Z")))
+        .collect();
     assert!(heights.iter().all(|h| *h >= 1.0) && heights.iter().any(|h| *h > 2.0), "{heights:?}");
-    assert_eq!(eye("#view=0,-20,-10,90,85&bft=3&time=2026-03-20T12:00:00Z"), -10.0);
-    let bed = eye("#view=0,-20,-11000,90,85&bft=3&time=2026-03-20T12:00:00Z");
+    assert_eq!(eye("#view=0,-20,-10,90,85&clouds=0&bft=3&time=2026-03-20T12:00:00Z"), -10.0);
+    let bed = eye("#view=0,-20,-11000,90,85&clouds=0&bft=3&time=2026-03-20T12:00:00Z");
     assert!((-8_000.0..-2_000.0).contains(&bed), "{bed}");
 }
 
@@ -134,7 +136,7 @@ fn an_eye_in_a_dry_depression_is_in_the_air() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     let mut light = |altitude_m: f64, tilt_deg: f64| {
         let state = render::parse_state(&format!(
-            "#view=31.5,35.45,{altitude_m},0,{tilt_deg}&haze=0&time=2026-06-21T08:00:00Z"
+            "#view=31.5,35.45,{altitude_m},0,{tilt_deg}&clouds=0&haze=0&time=2026-06-21T08:00:00Z"
         ))
         .unwrap();
         let seen = render::measure(&mut renderer, &state, [64, 36], LayerName::Luminance).unwrap().values;
@@ -165,7 +167,7 @@ fn a_picture_without_a_world_is_refused() {
     let folder = std::env::temp_dir().join(format!("ocean-globe-no-world-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let mut renderer = render::headless(folder.to_str().unwrap(), Radiance::Half).unwrap();
-    let state = render::parse_state("#view=20,-30,2e7&time=2026-06-21T12:00:00Z").unwrap();
+    let state = render::parse_state("#view=20,-30,2e7&clouds=0&time=2026-06-21T12:00:00Z").unwrap();
     let error = render::picture(&mut renderer, &state, [16, 9]).unwrap_err().to_string();
     std::fs::remove_dir_all(&folder).unwrap();
     assert!(error.contains("terrain.pmtiles"), "{error}");
@@ -176,7 +178,7 @@ fn an_eye_that_rides_through_a_trough_sees_the_sky() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // The lowest water of a hundred places, 11 m apart; the eye 2 m above it, then 3 m deep.
     let view = |lon: f64, altitude_m: f64| {
-        let link = format!("#view=35.6812,{lon},{altitude_m},235,84&ride=1&bft=12&time=2026-11-20T12:00:00Z");
+        let link = format!("#view=35.6812,{lon},{altitude_m},235,84&clouds=0&ride=1&bft=12&time=2026-11-20T12:00:00Z");
         render::parse_state(&link).unwrap()
     };
     let mut seas = Seas::default();

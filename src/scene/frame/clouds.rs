@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::earth::WGS84;
+use crate::model::overcast;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
 use crate::scene::settings::Settings;
@@ -28,7 +29,14 @@ const MARGIN: f64 = 0.012;
 /// Directions along the rim of the clouds that are looked at: between two of them it bends by less than a pixel of any picture.
 const RIM: u32 = 256;
 
-/// Where the eye is among the clouds; returns those that it sees, where there are any.
+/// Heights between which an eye leaves the clouds' shadow, metres.
+const ABOVE_THEM_M: [f64; 2] = [900.0, 3_000.0];
+/// Part of daylight that clouds all over the sky take, as `clouded_daylight` of `shaders/lib/clouds.wgsl` has it.
+const TAKEN: f64 = 0.6;
+/// Share of what they take that a picture is exposed for, in stops: a grey day looks like one.
+const EXPOSED_FOR: f64 = 0.67;
+
+/// Where the eye is among the clouds, and how much less light it has there; returns those that it sees, where there are any.
 pub fn set_clouds(
     u: &mut FrameUniform,
     settings: &Settings,
@@ -44,11 +52,19 @@ pub fn set_clouds(
     u.cloud_meridian = DVec2::new(cos, sin).as_vec2();
     u.cloud_shift = clouds::shift(settings.clouds) as f32;
     let shown = settings.clouds > 0.0 && settings.layers.shows(Layer::Clouds) && settings.layers.shows(Layer::Sky);
-    shown.then(|| Clouds {
-        weather: clouds::weather(unix_seconds),
-        area: area(camera, size),
-        are_below: camera.altitude_m > clouds::BASE_M,
-    })
+    let weather = clouds::weather(unix_seconds);
+    if shown && camera.altitude_m < ABOVE_THEM_M[1] {
+        let towards = u.cloud_eye.as_dvec3().normalize();
+        u.exposure *= overcast_exposure(overcast::share(towards, &weather, settings.clouds), camera.altitude_m) as f32;
+    }
+    shown.then(|| Clouds { weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
+}
+
+/// How much longer a picture is exposed below clouds that cover a share of the sky: for two thirds of the light that they take, in stops.
+fn overcast_exposure(share: f64, altitude_m: f64) -> f64 {
+    let [from, to] = ABOVE_THEM_M;
+    let below = 1.0 - ((altitude_m - from) / (to - from)).clamp(0.0, 1.0);
+    libm::pow(1.0 - TAKEN * share * share, -EXPOSED_FOR * below)
 }
 
 /// The pixels that clouds may be seen in. Below their base that is the sky; above their top, what is nearer to the nadir than their own

@@ -1,7 +1,6 @@
 //! The named views: from orbit to the deck, and the sea in four winds. Fixed times, so that each looks the same for everyone.
 
 use crate::model::sun;
-use crate::scene::settings::Settings;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
 
@@ -18,7 +17,7 @@ pub struct View {
 
 /// All named views, from the highest to the lowest.
 pub const VIEWS: [View; 8] = [
-    View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&clouds=0.45&time=2026-11-20T14:20:00Z" },
+    View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&time=2026-11-20T14:20:00Z" },
     View {
         id: "ocean",
         title: "3,000 km",
@@ -56,16 +55,12 @@ pub const VIEWS: [View; 8] = [
     },
 ];
 
-/// Share of the earth under clouds where no link says anything.
-const OPENING_CLOUDS: f64 = 0.45;
-
 /// What opens where no link says anything: the default view, turned to the side of the earth that has day at a UTC instant in
 /// seconds since 1970.
 pub fn opening(unix_seconds: f64) -> ViewState {
     let (_, noon_lon) = sun::subsolar_point(unix_seconds);
     let default = ViewState::default();
-    let settings = Settings { clouds: OPENING_CLOUDS, ..default.settings.clone() };
-    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), settings, ..default }
+    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), ..default }
 }
 
 impl View {

@@ -3,11 +3,11 @@
 const STILL = "&time=2026-06-21T12:30:00Z&rate=0&seed=7";
 
 /** Europe and North Africa from 3,000 km: half sea, half land, at noon. */
-export const FROM_ORBIT = `#view=38,-2,3000000&wind=8@250${STILL}`;
+export const FROM_ORBIT = `#view=38,-2,3000000&clouds=0&wind=8@250${STILL}`;
 /** The coast of Portugal from 30 km: the sea in the west, land in the east. */
-export const COAST = `#view=38.7,-9.45,30000&wind=8@250${STILL}`;
+export const COAST = `#view=38.7,-9.45,30000&clouds=0&wind=8@250${STILL}`;
 /** The same ocean under broken clouds, and clouds from above them. */
 export const UNDER_CLOUDS = `#view=35,-30,4,250,84&wind=6@250&clouds=0.5&quality=low${STILL}`;
 export const OVER_CLOUDS = `#view=38,-20,2000000&clouds=0.5&quality=low${STILL}`;
 /** Open Atlantic, 12 m above the water, looking west over the waves. */
-export const AT_SEA = `#view=35,-30,12,270,80&wind=14@250${STILL}`;
+export const AT_SEA = `#view=35,-30,12,270,80&clouds=0&wind=14@250${STILL}`;
