@@ -113,11 +113,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let lit = lit_ground(at.point, at.sin_lat, up, ground, footprint, light);
     var radiance = lit.radiance;
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light), lake_share(ground, footprint)); }
-    if UNDER_WATER {
-        // Less of the sun reaches the deep bed.
-        let lit = radiance * exp(attenuation(eye_kind()) * min(ground.elevation, 0.0));
-        radiance = through_water(lit, distance);
-    } else if !sea_covers {
+    if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }

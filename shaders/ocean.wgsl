@@ -9,9 +9,10 @@
 #import water
 #import spray
 #import translucence
+#import window
 #import output
 
-@group(2) @binding(0) var scene_colour: texture_2d<f32>;
+@group(2) @binding(0) var scene_colour: texture_2d<f32>;     // to an eye in the water: the map of caustics
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
@@ -80,8 +81,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let pixel = vec2u(in.position.xy);
     let land_depth = textureLoad(scene_depth, pixel, 0);
     let axis_distance = dot(moved, frame.ray_forward);
-    // Depth = NEAR / distance.
-    if land_depth * nearest_bed(axis_distance) > NEAR {
+    // Depth = NEAR / distance. The bed that an eye in the water sees is no triangles'.
+    if land_depth * select(nearest_bed(axis_distance), axis_distance, UNDER_WATER && !MEASURED) > NEAR || axis_distance < frame.lens {
         discard;
         return vec4f(0.0);
     }
@@ -106,12 +107,15 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let depth = ocean_depth(ground, footprint);
     let alpha = water_alpha(depth);
     let slopes = slopes_at(rest, distance, footprint);
-    let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
+    let calmed = held_share(depth);
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
     if UNDER_WATER {
-        let seen = through_water(window_radiance(direction, normal, up), distance);
-        if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
+        var light = daylight_at(frame.light.z);
+        if CLOUDS { light = clouded_daylight(light, vec3f(0.0), vec3f(0.0, 0.0, 1.0), 1.0); }
+        let w = underwater(light);
+        let seen = surface_from_below(w, in.position.xy, moved, direction, normal, up, calmed * calmed * slopes.rough, depth);
+        if !MEASURED { return shown_in_water(w, seen); }
         return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), seen);
     }
     let foam_at = foam_coordinates(rest);

@@ -31,11 +31,13 @@ use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 
+mod below;
 mod cost;
 mod mesh;
 mod surface;
 mod targets;
 
+use below::{Below, Side};
 pub use cost::Cost;
 use mesh::Mesh;
 use surface::Surface;
@@ -68,6 +70,7 @@ pub struct Renderer {
     city_lights: Option<CityLights>,
     clouds: Option<Clouds>,
     globe: Globe,
+    below: Below,
     land: Land,
     ocean: Ocean,
     passes: Passes,
@@ -121,6 +124,7 @@ impl Renderer {
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
             globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
+            below: Below::new(&gpu, frame, layout, radiance),
             land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             passes: Passes::new(&gpu, radiance),
@@ -153,14 +157,15 @@ impl Renderer {
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon);
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
-        self.visible =
-            (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, self.hiding(frame)));
+        let hiding = self.hiding(frame);
+        self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
         self.complete
     }
 
     /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
-    fn hiding(&self, frame: &Frame) -> Option<Hiding> {
-        let covers = frame.uniform.layers & SHOWS_SEA != 0 && frame.uniform.under_water == 0;
+    fn hiding(&mut self, frame: &Frame) -> Option<Hiding> {
+        let side = self.side(frame);
+        let covers = frame.uniform.layers & SHOWS_SEA != 0 && !side.kind.under_water;
         let depth_m = opaque_depth_m(f64::from(frame.uniform.water_density));
         covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m() })
     }
@@ -205,18 +210,20 @@ impl Renderer {
         self.load(frame);
         self.fit(frame);
         self.surface.take(&self.gpu, frame, &mut self.seas);
-        let kind = self.upload(frame);
+        let side = self.upload(frame);
+        let kind = side.kind;
         let frame_group = &self.frame_group.group;
         let still = usize::from(!self.moving);
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
-        let look = Look::of(frame, kind);
         if let Some(tiles) = &self.visible {
             self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
             let samples = self.targets.as_ref().map_or(1, Targets::samples);
-            self.ocean.prepare(&self.gpu, mesh, look, samples);
+            for kind in [Some(kind), side.below()].into_iter().flatten() {
+                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind), samples);
+            }
             // Coarse tiles are far ones.
             self.land.set_tiles(&self.gpu, tiles.iter().rev());
         }
@@ -234,6 +241,7 @@ impl Renderer {
             + self.sky_view.dispatches()
             + self.surface.dispatches()
             + self.mesh.dispatches();
+        let from_below = self.below.prepare(&self.gpu, &side, frame.size);
         let Some(targets) = &self.targets else { return };
         let is_seen = frame.has_light() && !kind.under_water;
         let stars = self.stars.as_mut().filter(|_| is_seen && frame.shows_stars);
@@ -262,7 +270,7 @@ impl Renderer {
             self.globe.draw(&mut pass, kind, frame_group, surface);
             self.sky.draw(&mut pass, kind, frame_group, surface);
             points.for_each(|points| points.draw(&mut pass, frame_group, surface));
-        } else {
+        } else if kind.measured || !kind.under_water {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
@@ -279,26 +287,46 @@ impl Renderer {
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            if layers & SHOWS_SEA != 0 {
-                self.ocean.draw(&mut pass, (frame, look, targets.samples()), frame_group, surface, self.mesh.drawn());
-            }
+            self.draw_sea(&mut pass, frame, kind, targets.samples());
             self.passes.draw_backdrop(&mut pass, targets);
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
             let part = (self.visible.is_none(), clouds.area);
             pass.draw(&mut resume(encoder, "clouds", &radiance), part, frame_group, surface);
         }
+        if let Some(kind) = side.below() {
+            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, kind, targets.samples());
+            let groups = [frame_group, surface];
+            let pictures = (&self.passes, targets);
+            self.below.draw(encoder, (frame, &side, kind), pictures, groups, (from_below.as_ref(), clear), sea);
+        }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }
 
-    /// Hands the frame to the GPU. Returns what kind of picture it is.
-    fn upload(&mut self, frame: &Frame) -> Kind {
-        let (lat, lon) = (frame.camera.lat, frame.camera.lon);
-        let over_ocean = self.world.sample_resident(lat, lon).is_some_and(|place| place.depth_m.is_some());
-        let kind = Kind::of(frame, over_ocean);
+    /// Draws the sea's surface for a kind of picture, where the frame shows it.
+    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, kind: Kind, samples: u32) {
+        if frame.uniform.layers & SHOWS_SEA == 0 {
+            return;
+        }
+        let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
+        let look = Look::of(frame, kind);
+        self.ocean.draw(pass, (frame, look, samples), frame_group, surface, self.mesh.drawn());
+    }
+
+    /// Hands the frame to the GPU. Returns where its eye is.
+    fn upload(&mut self, frame: &Frame) -> Side {
+        let side = self.side(frame);
         let deepest = self.streaming.pages.deepest();
-        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, kind.under_water);
-        kind
+        let water = (side.depth_m.unwrap_or(0.0), side.is_cut);
+        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, water);
+        side
+    }
+
+    /// Where the eye of a frame is.
+    fn side(&mut self, frame: &Frame) -> Side {
+        let (lat, lon) = (frame.camera.lat, frame.camera.lon);
+        let depth_m = self.world.sample_resident(lat, lon).and_then(|place| place.depth_m);
+        Side::of(frame, depth_m, self.radiance_format == Radiance::Half.format())
     }
 
     /// Makes the textures of the picture's size.
@@ -312,7 +340,8 @@ impl Renderer {
             return;
         }
         let targets = Targets::new(&self.gpu, frame.size, self.radiance_format, samples, &self.passes);
-        self.ocean.set_scene(&self.gpu, &targets.scene, &targets.scene_depth);
+        let caustics = texture::view(&self.below.caustics.map);
+        self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth]);
         if let Some(clouds) = &mut self.clouds {
             clouds.set_scene(&self.gpu, &targets.scene_depth);
         }
@@ -390,7 +419,7 @@ impl Renderer {
 fn clear_colour(frame: &Frame) -> wgpu::Color {
     let u = &frame.uniform;
     let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-    if u.layers & all != all || !frame.has_light() || u.under_water != 0 {
+    if u.layers & all != all || !frame.has_light() {
         return wgpu::Color::BLACK;
     }
     let [r, g, b] = DEEP_REFLECTANCE.map(|share| 0.25 * f64::from(u.exposure) * share);

@@ -1,5 +1,5 @@
 // A grid even on the screen, cast onto the ellipsoid from the eye, or, where crests may stand higher than the eye, from a projector
-// raised above the highest.
+// raised above the highest. Who imports this declares UNDER_WATER (src/pass/kind.rs).
 #import ellipsoid
 
 const LOW_RIM = vec2f(0.02, 0.35);   // share of the grid below the lower edge, in calm water and among waves that reach into the screen
@@ -15,7 +15,7 @@ const STRIP_ROWS = 6.0;
 fn projected(device: vec2f) -> vec3f {
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     // The surface over an eye under water lies where the mirrored eye above it looks.
-    direction.z = select(direction.z, -abs(direction.z), frame.under_water == 1u);
+    direction.z = select(direction.z, -abs(direction.z), UNDER_WATER);
     let ray = ray_coefficients(direction, frame.projector_gradient, frame.projector_constant);
     let rise = vec3f(0.0, 0.0, frame.projector_rise);
     var t = surface_hit(ray);
@@ -38,17 +38,28 @@ fn projected(device: vec2f) -> vec3f {
     // farther up lie on the horizon again: over the zenith a triangle spans the whole sea, and must do so below the eye.
     let cell = 1.05 * frame.cell_pixels * frame.pixel_angle / (1.0 - low_rim());
     let above = direction.z / level + dip;
-    let strip = select(0.0, clamp(min(above - cell, STRIP_ROWS * cell - above), 0.0, cell), waves_are_pixels(tangent) && frame.under_water == 0u);
+    let strip = select(0.0, clamp(min(above - cell, STRIP_ROWS * cell - above), 0.0, cell), waves_are_pixels(tangent) && !UNDER_WATER);
     return tangent * vec3f(along * direction.xy / level, strip - dip) + rise;
 }
 
 const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
 const NEAREST: Metres = 0.7;
 
+const WITHIN_EDGES = 0.8;      // share of the grid within the screen's edges, under water
+
+// Device coordinates of a grid vertex of a grid that goes on beyond the screen's edges, the farther the higher the waves stand over the eye:
+// under water they may come into the screen from any side.
+fn beyond_edges(grid: vec2f, farthest: f32) -> vec2f {
+    let within = min(abs(grid), vec2f(WITHIN_EDGES)) / WITHIN_EDGES * EDGE;
+    let beyond = max(abs(grid) - WITHIN_EDGES, vec2f(0.0)) / (1.0 - WITHIN_EDGES);
+    return sign(grid) * (within + beyond * farthest);
+}
+
 // Rest position of a grid vertex. Among high waves the chop moves water into the screen from beside and behind the eye, so
 // the grid's rims run on from the screen's edges: up and sideways, and below the eye to behind it, denser towards the eye.
 fn rest_position(grid: vec2f) -> vec3f {
     let reach = frame.rim_reach;
+    if UNDER_WATER { return projected(beyond_edges(grid, 1.0 + 4.0 * reach / (reach + abs(frame.eye_altitude)))); }
     let y = 0.5 * (grid.y + 1.0);
     let below = clamp(1.0 - y / low_rim(), 0.0, 1.0);
     let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);

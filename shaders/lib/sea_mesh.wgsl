@@ -4,6 +4,7 @@
 #import bisected_mesh
 #import world
 #import waves
+#import held
 
 const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some pixels long
 const STEP_BEYOND: Metres = 2.0;
@@ -20,8 +21,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         let displacement = displacement_at(rest, distance, spacing);
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
-        // Shallow water holds no higher waves.
-        allowed = clamp(-ground.elevation * HELD_BY_DEPTH / frame.wave_height, 0.0, 1.0);
+        allowed = held_share(-ground.elevation);
         moved = allowed * displacement;
     }
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing);
@@ -49,7 +49,7 @@ fn place_on_grid(grid: vec2f) -> Place {
 fn lifted(place: Place) -> Place {
     let distance = length(place.rest);
     let share = smoothstep(1.0, 2.0, distance * frame.pixel_angle / (4.0 * frame.crest_height));
-    if (share <= 0.0) | (frame.under_water == 1u) { return place; }
+    if (share <= 0.0) | UNDER_WATER { return place; }
     let up = normal_delta(place.rest) + vec3f(0.0, 0.0, 1.0);
     var higher = place;
     higher.moved += LIFT_PIXELS * share * distance * frame.pixel_angle * up;

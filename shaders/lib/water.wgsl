@@ -78,28 +78,3 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let through = (mix(bed_radiance(w.bed, w.kind, down), body, w.alpha) + w.glow) * (1.0 - reflectance);
     return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }
-
-// The water about an eye in it, as of the open ocean.
-fn eye_kind() -> f32 { return clamp(1.0, frame.water_kinds.x, frame.water_kinds.y); }
-
-// Under water: the light of the water itself, and what it leaves of a radiance at a distance. K_d applies one way.
-fn water_veil() -> vec3f {
-    let mu_sun = frame.light.z;
-    let light = daylight_at(mu_sun);
-    let down = light.sun * max(mu_sun, 0.0) + light.sky;
-    return 1.5 * deep_reflectance(eye_kind()) / PI * down * exp(attenuation(eye_kind()) * frame.eye_altitude);
-}
-
-fn through_water(radiance: vec3f, distance: Metres) -> vec3f {
-    return mix(water_veil(), radiance, exp(-attenuation(eye_kind()) * distance));
-}
-
-// The surface from below: the sky through Snell's window, total reflection around it. `direction` goes up to the surface.
-fn window_radiance(direction: vec3f, normal: vec3f, up: vec3f) -> vec3f {
-    let out = refract(direction, -normal, WATER_INDEX);
-    let escaping = dot(out, out) > 0.5;
-    let reflectance = select(1.0, fresnel_water(abs(dot(out, normal))), escaping);
-    let sky = sky_at_sea(normalize(out + 1e-6 * up), up)
-        + sun_irradiance_at(dot(frame.light, up)) * 300.0 * smoothstep(0.9985, 0.9998, dot(out, frame.light));
-    return mix(sky, water_veil(), reflectance);
-}

@@ -204,14 +204,28 @@ impl Gpu {
         target: impl Into<wgpu::ColorTargetState>,
         depth: Option<Depth>,
     ) -> Drawing {
-        let target = target.into();
+        self.drawing_smooth(label, (source, vertex), groups, buffers, target.into(), depth, depth.map_or(1, |d| d.samples))
+    }
+
+    /// As [`Gpu::drawing`], into a target with so many samples of a pixel, as many as the depth has.
+    #[expect(clippy::too_many_arguments, reason = "those of `drawing` and one more")]
+    pub fn drawing_smooth(
+        &self,
+        label: &str,
+        (source, vertex): (&str, &str),
+        groups: &[&wgpu::BindGroupLayout],
+        buffers: &[wgpu::VertexBufferLayout],
+        target: wgpu::ColorTargetState,
+        depth: Option<Depth>,
+        samples: u32,
+    ) -> Drawing {
         let module = self.module(label, source);
         let layout = self.pipeline_layout(label, groups);
         // Lent attributes become owned ones, since they are needed later.
         let buffers: Vec<_> = buffers.iter().map(|b| (b.array_stride, b.step_mode, b.attributes.to_vec())).collect();
         let (device, name, entry) = (self.device.clone(), label.to_owned(), vertex.to_owned());
         let compiled = self.made.compiled.clone();
-        once(&self.made.drawing, (label, source, vertex, target.clone(), depth), move || {
+        once(&self.made.drawing, (label, source, vertex, target.clone(), depth, samples), move || {
             compiled.fetch_add(1, Relaxed);
             let buffers: Vec<_> = buffers
                 .iter()
@@ -239,10 +253,7 @@ impl Gpu {
                     stencil: Default::default(),
                     bias: Default::default(),
                 }),
-                multisample: wgpu::MultisampleState {
-                    count: depth.map_or(1, |depth| depth.samples),
-                    ..Default::default()
-                },
+                multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
                 fragment: Some(wgpu::FragmentState {
                     module: &module,
                     entry_point: Some("fragment"),

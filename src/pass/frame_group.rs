@@ -4,7 +4,7 @@ use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::model::wave_domain::MAX_CELLS;
 use crate::scene::frame::uniform::WaveCell;
-use crate::scene::frame::{Frame, FrameUniform};
+use crate::scene::frame::{Frame, FrameUniform, LENS_M};
 
 /// The group, its layout, and the buffers behind it.
 pub struct FrameGroup {
@@ -61,14 +61,23 @@ impl FrameGroup {
     }
 
     /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
-    /// of the maps' page tables ([`PageTable::deepest`]), and whether the eye is in the sea.
+    /// of the maps' page tables ([`PageTable::deepest`]), how deep the sea is
+    /// at the eye's place, metres, and whether the water may cut through the picture.
     ///
     /// [`PageTable::deepest`]: crate::data::streaming::PageTable::deepest
-    pub fn upload(&self, gpu: &Gpu, frame: &Frame, terrain_resolution_m: f64, deepest_pages: u32, under_water: bool) {
+    pub fn upload(
+        &self,
+        gpu: &Gpu,
+        frame: &Frame,
+        terrain_resolution_m: f64,
+        deepest_pages: u32,
+        (depth_m, is_cut): (f64, bool),
+    ) {
         let uniform = FrameUniform {
             terrain_resolution: terrain_resolution_m as f32,
             deepest_pages,
-            under_water: u32::from(under_water),
+            eye_depth: depth_m as f32,
+            lens: if is_cut { LENS_M as f32 } else { 0.0 },
             ..frame.uniform
         };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));

@@ -30,12 +30,12 @@ impl Kind {
         })
     }
 
-    /// That of a frame; `over_ocean`: there is ocean at the eye's place, as only the world knows.
-    pub fn of(frame: &Frame, over_ocean: bool) -> Self {
+    /// That of a frame whose eye is in the sea or not, as only the world knows.
+    pub fn of(frame: &Frame, under_water: bool) -> Self {
         let u = &frame.uniform;
         Self {
             measured: u.output != 0,
-            under_water: over_ocean && u.under_water != 0,
+            under_water,
             spray: frame.has_spray(),
             fine: frame.is_fine(),
             clouds: frame.clouds.is_some() && u.output == 0,

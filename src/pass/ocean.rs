@@ -53,6 +53,8 @@ pub struct Ocean {
     formats: [wgpu::TextureFormat; 2],
     pipelines: HashMap<(Mesh, Look, u32), Drawing>,
     scene: Option<wgpu::BindGroup>,
+    /// What stands in its place for an eye in the water.
+    below: Option<wgpu::BindGroup>,
     cells: [u32; 2],
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
@@ -75,8 +77,8 @@ pub const EDGE_ABOVE: f32 = 0.03;
 const ROWS_ABOVE: f32 = 12.0;
 
 /// How many of the grid's `rows`, counted from the lowest, hold any sea: those far above the horizon all lie on it.
-pub fn rows_to_draw(u: &FrameUniform, rows: u32) -> u32 {
-    if u.under_water != 0 {
+pub fn rows_to_draw(u: &FrameUniform, rows: u32, under_water: bool) -> u32 {
+    if under_water {
         return rows;
     }
     let low_rim = LOW_RIM[usize::from(u.rim_reach > 0.0)];
@@ -119,6 +121,7 @@ impl Ocean {
             formats,
             pipelines: Default::default(),
             scene: None,
+            below: None,
             cells: [0; 2],
             vertices: empty(wgpu::BufferUsages::VERTEX),
             indices: empty(wgpu::BufferUsages::INDEX),
@@ -152,10 +155,10 @@ impl Ocean {
         });
     }
 
-    /// Takes the scene's colour and depth.
-    pub fn set_scene(&mut self, gpu: &Gpu, colour: &wgpu::TextureView, depth: &wgpu::TextureView) {
-        let resources = [colour, depth].map(wgpu::BindingResource::TextureView);
-        self.scene = Some(gpu.bind("scene", &self.layouts[2], &resources));
+    /// Takes the scene's colour and depth, and the map of caustics, which an eye in the water sees in the colour's place.
+    pub fn set_scene(&mut self, gpu: &Gpu, [colour, caustics, depth]: [&wgpu::TextureView; 3]) {
+        let group = |colour| gpu.bind("scene", &self.layouts[2], &[colour, depth].map(wgpu::BindingResource::TextureView));
+        (self.scene, self.below) = (Some(group(colour)), Some(group(caustics)));
     }
 
     /// Makes the grid of a picture of `size` pixels, unless it is there.
@@ -189,7 +192,8 @@ impl Ocean {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, surface, &[]);
-        pass.set_bind_group(2, &self.scene, &[]);
+        let below = look.kind.under_water && !look.kind.measured;
+        pass.set_bind_group(2, if below { &self.below } else { &self.scene }, &[]);
         if let Some((group, arguments)) = triangles {
             pass.set_bind_group(3, group, &[]);
             pass.draw_indirect(arguments, 0);
@@ -197,6 +201,6 @@ impl Ocean {
         }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1]), 0, 0..1);
+        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1], look.kind.under_water), 0, 0..1);
     }
 }

@@ -10,6 +10,7 @@ use crate::model::{earth, moon, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
+use crate::scene::sea::surface_sample::HELD_BY_DEPTH;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::Camera;
 use crate::scene::view::map_tiles::RELIEF_M;
@@ -44,6 +45,8 @@ pub struct Frame {
     pub whitecaps: Whitecaps,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
+    /// Height of the water at the eye's place over the ellipsoid, metres, where it is deep and the eye among the waves; elsewhere 0.
+    pub surface_m: f64,
     /// Whether stars may show: it is dark at the eye, or it is in space.
     pub shows_stars: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
@@ -67,6 +70,11 @@ pub const MIX_FAR_M: f64 = 16_000.0;
 /// Pixels so wide show no lace, metres: 128 texels of its widest rows (`lace_at` of `shaders/lib/lace.wgsl`), of whose variance the tile then
 /// keeps a thirtieth.
 const LACE_BLURRED_M: f32 = 64.0;
+/// How far the lens is before an eye at the surface, metres: nearer water does not show.
+pub const LENS_M: f64 = 0.2;
+/// An eye that is nearer to the surface than this, metres, sees it cut through the picture: it reaches as far as the lens in the corners of a
+/// wide picture, and the waves rise as much from there.
+pub const CUT_M: f64 = 0.3;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -107,10 +115,8 @@ impl Frame {
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
         uniform.wave_cell_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
-        let below = camera.altitude_m < 0.0
-            && (camera.altitude_m < -sea.crest_m()
-                || camera.altitude_m < seas.surface_height(settings, camera, unix_seconds));
-        uniform.under_water = u32::from(below);
+        let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
+        let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
@@ -126,6 +132,7 @@ impl Frame {
             foam_eye,
             whitecaps,
             foam_lifetime_s,
+            surface_m,
             shows_stars: light::stars_show(&uniform, settings),
             shows_city_lights: light::city_lights_show(&uniform, settings),
             clouds,
@@ -150,6 +157,12 @@ impl Frame {
             Quality::High | Quality::Ultra | Quality::Extreme => true,
         };
         wanted && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
+    }
+
+    /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that.
+    pub fn over_water_m(&self, depth_m: f64) -> f64 {
+        let held = (depth_m * HELD_BY_DEPTH / self.sea.sea.hs_m.max(1e-3)).clamp(0.0, 1.0);
+        self.camera.altitude_m - held * self.surface_m
     }
 
     /// The same frame, reporting a measured layer instead of the picture.

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3, Mat4, Vec2, Vec4};
 
-use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, Projection};
+use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, POLAR_LATITUDE_DEG, Projection};
 use crate::model::earth::{self, WGS84};
 use crate::scene::frame::uniform::{FrameUniform, NEAR_M};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
@@ -75,6 +75,7 @@ pub fn set_map(u: &mut FrameUniform, camera: &Camera) {
     u.mercator_sin_delta = (libm::sin(lat) - libm::sin(anchor)) as f32;
     u.mercator_fixed = fixed(Projection::Mercator, anchor, lon);
     u.meridian = DVec2::new(libm::cos(lon), libm::sin(lon)).as_vec2();
+    u.bed_origin = bed_origin(lat, lon).as_vec2();
     let foot = DVec3::new(libm::cos(lat), 0.0, libm::sin(lat));
     let polar = |side: f64, projection| {
         let near = lat * side > 80f64.to_radians();
@@ -85,4 +86,20 @@ pub fn set_map(u: &mut FrameUniform, camera: &Camera) {
     };
     (u.north_point, u.north_delta, u.north_fixed) = polar(1.0, Projection::North);
     (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
+}
+
+/// Side of the square of the bed's pattern, metres; equals `BED_SIDE` in `shaders/lib/sea_bed.wgsl`.
+pub const BED_SIDE_M: f64 = 4096.0;
+
+/// Where a place lies in the pattern of the bed: metres on Mercator's map, whose unit is that of the equator, or around a pole, in a square that
+/// repeats.
+fn bed_origin(lat: f64, lon: f64) -> DVec2 {
+    let (sin, cos) = libm::sincos(lat);
+    let on_map = if libm::fabs(lat) > POLAR_LATITUDE_DEG.to_radians() {
+        let from_pole = 2.0 * WGS84.a * cos / (1.0 + libm::fabs(sin));
+        from_pole * DVec2::new(libm::cos(lon), libm::sin(lon))
+    } else {
+        WGS84.a * DVec2::new(lon, libm::atanh(sin))
+    };
+    DVec2::new(on_map.x.rem_euclid(BED_SIDE_M), on_map.y.rem_euclid(BED_SIDE_M))
 }

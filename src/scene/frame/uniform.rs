@@ -165,8 +165,8 @@ gpu_struct! {
         cloud_shift: f32 = "f32",
         /// See cloud_eye.
         cloud_meridian: Vec2 = "vec2f",
-        /// Unused.
-        unused: Vec2 = "vec2f",
+        /// The eye's foot on the square of the bed's pattern, see `shaders/lib/sea_bed.wgsl`: metres.
+        bed_origin: Vec2 = "vec2f",
         /// Xy, xz, yz.
         quadric_mixed: Vec3 = "vec3f",
         /// The projected grid is cast from this far above the eye.
@@ -277,8 +277,8 @@ gpu_struct! {
         layers: u32 = "u32",
         /// 0 the picture, else a measured layer.
         output: u32 = "u32",
-        /// Cascade count.
-        cascade_count: u32 = "u32",
+        /// Depth of the sea at the eye's place.
+        eye_depth: f32 = "Metres",
         /// Terrain resolution.
         terrain_resolution: f32 = "Metres",
         /// The highest crest to expect.
@@ -287,8 +287,8 @@ gpu_struct! {
         foam_heights: Vec2 = "vec2f",
         /// Slope variances along the wind and across it: of the waves that no cascade holds, of each cascade's (two in a row).
         below_slopes: Vec2 = "vec2f",
-        /// 1 when the eye is in the sea.
-        under_water: u32 = "u32",
+        /// Where the water may cut through the picture: what is nearer than this to the eye does not show. Elsewhere 0.
+        lens: f32 = "Metres",
         /// Mean level of the choppy FFT patches, at most 0; what is drawn has it subtracted.
         chop_level: f32 = "Metres",
         /// Cascade slopes.

@@ -30,7 +30,6 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.patches = Vec4::from(sea.cascades.map(|cascade| cascade.patch_m as f32));
     u.spacings = Vec4::from(sea.cascades.map(|cascade| wave_domain::spacing_m(cascade.patch_m) as f32));
     u.perlin_spacing = wave_domain::spacing_m(sea.perlin.patch_m) as f32;
-    u.cascade_count = sea.cascades.len() as u32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
     u.layers = shows(Layer::Land, SHOWS_LAND) | shows(Layer::Sea, SHOWS_SEA) | shows(Layer::Sky, SHOWS_SKY);
     let slopes = sea.cascade_slopes.map(|slopes| DVec2::from(slopes).as_vec2());

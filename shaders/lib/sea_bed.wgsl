@@ -1,0 +1,105 @@
+// What the sea's bed looks like: sand with ripples, and where it is not sand, seagrass and rock. All is fixed to the map: ways on it are
+// those of `frame.bed_origin`, a square of BED_SIDE metres that repeats.
+#import world
+#import hash
+#import under_water
+
+const BED_SIDE: f32 = 4096.0;                  // as in src/scene/frame/place.rs
+
+// A way from the eye's foot, east and north, to a place of the bed's square.
+fn bed_place(way: vec2f) -> vec2f {
+    if abs(frame.sin_lat) > POLAR_SIN_LAT {
+        let side = sign(frame.sin_lat);
+        let out = vec2f(-side * way.y, way.x);
+        return frame.bed_origin + vec2f(frame.meridian.x * out.x - frame.meridian.y * out.y, frame.meridian.y * out.x + frame.meridian.x * out.y);
+    }
+    return frame.bed_origin + way / frame.cos_lat;
+}
+
+fn bed_corner(cell: vec2i, cells: i32, salt: u32, offset: vec2f) -> vec3f {
+    let word = hash(vec3u(bitcast<vec2u>(((cell % cells) + cells) % cells), salt));
+    let slope = vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 32767.5 - 1.0;
+    return vec3f(slope, dot(slope, offset));
+}
+
+// Gradient noise about 0 with its slopes (x, y) and value (z), over cells of a number of metres that divides the square's side.
+fn bed_noise(place: vec2f, cell: f32, salt: u32) -> vec3f {
+    let p = place / cell;
+    let low = floor(p);
+    let f = p - low;
+    let cells = i32(BED_SIDE / cell);
+    let at = vec2i(low);
+    let a = bed_corner(at, cells, salt, f);
+    let b = bed_corner(at + vec2i(1, 0), cells, salt, f - vec2f(1.0, 0.0));
+    let c = bed_corner(at + vec2i(0, 1), cells, salt, f - vec2f(0.0, 1.0));
+    let d = bed_corner(at + vec2i(1, 1), cells, salt, f - vec2f(1.0, 1.0));
+    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+    let k = a.z - b.z - c.z + d.z;
+    let value = a.z + u.x * (b.z - a.z) + u.y * (c.z - a.z) + u.x * u.y * k;
+    let slope = a.xy + u.x * (b.xy - a.xy) + u.y * (c.xy - a.xy) + u.x * u.y * (a.xy - b.xy - c.xy + d.xy)
+        + du * (u.yx * k + vec2f(b.z - a.z, c.z - a.z));
+    return vec3f(slope / cell, value);
+}
+
+fn shown(footprint: Metres, width: Metres) -> f32 { return 1.0 - smoothstep(0.2, 0.6, footprint / width); }
+
+// Slopes and height of ripples that lie across `way`, `wide` metres from crest to crest: their crests bend with the noise and are sharper
+// than their troughs. `bend`: slopes and value of that noise, in metres of the crests' way.
+fn ripples(place: vec2f, way: vec2f, wide: f32, bend: vec3f) -> vec3f {
+    let turn = TURN / wide;
+    let along = fract((dot(place, way) + bend.z) / wide) * TURN;
+    let rise = turn * (way + bend.xy);
+    // Height in units of amplitude: cosine with its first overtone.
+    return vec3f((-sin(along) - 0.5 * sin(2.0 * along)) * rise, cos(along) + 0.25 * cos(2.0 * along));
+}
+
+struct BedLook { slope: vec2f, albedo: vec3f }
+
+fn bed_look(place: vec2f, depth: Metres, footprint: Metres) -> BedLook {
+    // Broad heaps, and the bends of ripples.
+    let broad = bed_noise(place, 16.0, 31u);
+    let heaps = bed_noise(place, 4.0, 32u);
+    let small = bed_noise(place, 1.0, 33u);
+    let tiny = bed_noise(place, 0.25, 34u);
+    var slope = 0.5 * broad.xy + 0.16 * shown(footprint, 4.0) * heaps.xy + 0.035 * shown(footprint, 1.0) * small.xy
+        + 0.008 * shown(footprint, 0.25) * tiny.xy;
+    // Two trains that meet at an angle: where one takes over from the other crests fork.
+    let bend = 0.55 * heaps + 0.07 * small;
+    let share = smoothstep(-0.12, 0.12, broad.z + 0.5 * heaps.z);
+    let calm = smoothstep(-0.35, 0.1, heaps.z + 0.3 * broad.z) * mix(1.0, 0.35, smoothstep(6.0, 25.0, depth));
+    let first = ripples(place, vec2f(0.934, 0.358), 0.27, bend);
+    let second = ripples(place, vec2f(0.788, 0.616), 0.23, bend);
+    let third = ripples(place, vec2f(0.31, 0.95), 0.09, 0.3 * bend);
+    let ripple = mix(first, second, share);
+    let amplitude = 0.0125 * (0.35 + 0.65 * calm);
+    slope += amplitude * shown(footprint, 0.25) * ripple.xy + 0.0016 * (1.0 - calm) * shown(footprint, 0.09) * third.xy;
+    // Dark grains gather in troughs, pale shell on crests; no two places are alike.
+    let grains = bed_noise(place, 0.03125, 35u).z * shown(footprint, 0.03125) + bed_noise(place, 0.0078125, 36u).z * shown(footprint, 0.0078125);
+    let tone = 1.0 + 0.10 * ripple.z * calm * shown(footprint, 0.25) + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
+        + 0.12 * tiny.z * shown(footprint, 0.25);
+    var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
+    // Seagrass in meadows of 30 to 250 m, torn at their edges; rock where it is neither.
+    let meadow = bed_noise(place, 256.0, 41u).z + 0.55 * bed_noise(place, 64.0, 42u).z + 0.30 * broad.z + 0.22 * heaps.z + 0.12 * small.z;
+    let grass = smoothstep(0.30, 0.36, meadow) * (1.0 - smoothstep(15.0, 30.0, depth));
+    let blades = 0.5 + 1.1 * tiny.z * shown(footprint, 0.25) + 0.9 * small.z;
+    albedo = mix(albedo, vec3f(0.035, 0.055, 0.022) * clamp(0.6 + blades, 0.3, 1.8), grass);
+    slope = mix(slope, slope + 0.10 * tiny.xy * shown(footprint, 0.25) + 0.10 * small.xy, grass);
+    let reef = bed_noise(place, 128.0, 43u).z + 0.6 * bed_noise(place, 32.0, 44u).z + 0.35 * heaps.z + 0.20 * small.z;
+    let rock = smoothstep(0.40, 0.45, reef) * (1.0 - grass);
+    albedo = mix(albedo, vec3f(0.16, 0.125, 0.085) * clamp(0.9 + 1.2 * small.z + 0.9 * tiny.z, 0.3, 1.8), rock);
+    slope += rock * (0.35 * small.xy * shown(footprint, 1.0) + 0.09 * tiny.xy * shown(footprint, 0.25));
+    return BedLook(slope, albedo);
+}
+
+// Radiance of the bed at a way from the eye's foot, where the water is `depth` deep. `caustic`: the sun's light there over its mean.
+fn bed_light(w: Underwater, way: vec2f, depth: Metres, footprint: Metres, caustic: f32) -> vec3f {
+    let look = bed_look(bed_place(way), depth, footprint);
+    let normal = normalize(vec3f(-look.slope, 1.0));
+    let left = exp(-w.fading * depth);
+    // What has been scattered on its way shows no wave.
+    let sharp = exp(-w.haze * depth);
+    let direct = mix(1.0, caustic, sharp) * mix(1.0, max(dot(normal, w.to_sun), 0.0) / w.to_sun.z, 0.25 + 0.75 * sharp);
+    let down = left * (w.sun * direct + w.sky * (0.6 + 0.4 * normal.z));
+    return look.albedo / PI * down / (1.0 - MIRRORED_BACK * look.albedo * left * left);
+}

@@ -1,0 +1,99 @@
+//! The picture of an eye in the sea, and of one that the surface cuts through.
+
+use super::targets::{DEPTH_FORMAT, Passes, Radiance, Targets};
+use crate::gpu::drawing::{begin, resume};
+use crate::gpu::{Gpu, texture};
+use crate::pass::caustics::{self, Caustics};
+use crate::pass::deep::Deep;
+use crate::pass::kind::Kind;
+use crate::pass::waterline::Waterline;
+use crate::scene::frame::{CUT_M, Frame};
+
+/// Where the eye of a picture is, as only the world knows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    /// Depth of the ocean at its place, metres; `None` on land.
+    pub(super) depth_m: Option<f64>,
+    /// What is drawn first: from above, or from below.
+    pub(super) kind: Kind,
+    /// Whether the water may cut through the picture: then both are drawn.
+    pub(super) is_cut: bool,
+}
+
+impl Side {
+    /// That of a frame over the ocean, or over land.
+    pub(super) fn of(frame: &Frame, depth_m: Option<f64>, blends: bool) -> Self {
+        let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m));
+        let is_cut = blends && frame.has_light() && over_m.abs() < CUT_M;
+        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut }
+    }
+
+    /// The kind of the picture from below, if there is one.
+    pub(super) fn below(&self) -> Option<Kind> {
+        let is_below = self.is_cut || (self.kind.under_water && !self.kind.measured);
+        is_below.then_some(Kind { under_water: true, ..self.kind })
+    }
+}
+
+/// The passes under water.
+pub(super) struct Below {
+    pub(super) caustics: Caustics,
+    deep: Deep,
+    /// Where the radiance's format blends.
+    waterline: Option<Waterline>,
+}
+
+impl Below {
+    /// `frame` and `surface` are the layouts of bind groups 0 and 1, `radiance` the scene's format.
+    pub(super) fn new(
+        gpu: &Gpu,
+        frame: &wgpu::BindGroupLayout,
+        surface: &wgpu::BindGroupLayout,
+        radiance: wgpu::TextureFormat,
+    ) -> Self {
+        let caustics = Caustics::new(gpu, frame, surface);
+        let blends = radiance == Radiance::Half.format();
+        Self {
+            deep: Deep::new(gpu, frame, surface, &caustics.map, [radiance, DEPTH_FORMAT]),
+            caustics,
+            waterline: blends.then(|| Waterline::new(gpu, frame, surface, radiance)),
+        }
+    }
+
+    /// Gets ready for a picture; returns what the one from below is drawn into where the water cuts through, else `None`.
+    pub(super) fn prepare(&mut self, gpu: &Gpu, side: &Side, size: [u32; 2]) -> Option<wgpu::TextureView> {
+        side.below()?;
+        self.caustics.prepare(gpu);
+        self.waterline.as_mut().filter(|_| side.is_cut).map(|waterline| waterline.below(gpu, size))
+    }
+
+    /// Draws the picture from below into `into`, or what the targets hold; `sea` draws the surface. `groups` are bind groups 0 and 1.
+    pub(super) fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        (frame, side, kind): (&Frame, &Side, Kind),
+        (passes, targets): (&Passes, &Targets),
+        [frame_group, surface]: [&wgpu::BindGroup; 2],
+        (into, clear): (Option<&wgpu::TextureView>, wgpu::Color),
+        sea: impl FnOnce(&mut wgpu::RenderPass),
+    ) {
+        let is_shallow = side.depth_m.is_some_and(|depth_m| depth_m < caustics::DEEPEST_M);
+        let has_waves = frame.is_fine() && is_shallow && frame.sea.sea.hs_m > 0.0;
+        self.caustics.draw(encoder, !has_waves, frame_group, surface);
+        {
+            let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
+            let mut pass = begin(encoder, "deep", &targets.scene, clear, depth);
+            self.deep.draw(&mut pass, kind, frame_group, surface);
+        }
+        let radiance = texture::view(&targets.radiance);
+        {
+            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            let mut pass = begin(encoder, "sea from below", targets.sea(into.unwrap_or(&radiance)), clear, depth);
+            sea(&mut pass);
+            passes.draw_backdrop(&mut pass, targets);
+        }
+        if let Some(waterline) = self.waterline.as_ref().filter(|_| into.is_some()) {
+            waterline.draw(&mut resume(encoder, "waterline", &radiance), frame_group, surface);
+        }
+    }
+}
