@@ -13,13 +13,13 @@ struct Vertex {
     @location(1) bed: vec2f,
 }
 
-const BRIGHTEST: f32 = 40.0;           // that a texel may be; the sun's disc has an end
+const BRIGHTEST: f32 = 1000.0;          // that a texel may be; the sun's disc has an end
 
 @vertex
 fn vertex(@location(0) grid: vec2f) -> Vertex {
     let reach = caustic_place(grid);
     let dn = normal_delta(vec3f(reach, -frame.eye_altitude));
-    let depth = max(-ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 1.0).elevation, 0.0);
+    let depth = caustic_depth(-ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 1.0).elevation);
     let down = into_water(-frame.light, vec3f(0.0, 0.0, 1.0));
     // Under a flat surface the ray ends where the net asks for it.
     let surface = vec3f(reach + down.xy / down.z * depth, -frame.eye_altitude);

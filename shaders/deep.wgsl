@@ -57,7 +57,7 @@ fn fragment(in: Pixel) -> Seen {
     let footprint = distance * frame.pixel_angle / sqrt(max(sinking, 0.02));
     if hits {
         var caustic = 1.0;
-        if FINE { caustic = caustic_at(caustics, place.xy); }
+        if FINE { caustic = bed_caustic(w, caustics, place.xy, depth); }
         radiance = bed_light(w, place.xy, depth, footprint, caustic);
     }
     let seen = seen_through(w, radiance, frame.eye_altitude, direction, way, rays);

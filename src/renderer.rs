@@ -298,7 +298,7 @@ impl Renderer {
             let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, kind, targets.samples());
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
-            self.below.draw(encoder, (frame, &side, kind), pictures, groups, (from_below.as_ref(), clear), sea);
+            self.below.draw(encoder, frame, kind, pictures, groups, (from_below.as_ref(), clear), sea);
         }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }
@@ -406,6 +406,11 @@ impl Renderer {
     /// The device.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
+    }
+
+    /// The map of caustics of the last frame whose eye was in the water, see `shaders/lib/caustic_map.wgsl`.
+    pub fn caustics(&self) -> &wgpu::Texture {
+        &self.below.caustics.map
     }
 
     /// The scene's radiance, or the measured layer, of the last frame.

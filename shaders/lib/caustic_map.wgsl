@@ -1,8 +1,13 @@
 // Where the map of caustics lies: a square about the foot of the eye on the bed, whose texels are finest in the middle. Its ways are
-// level, metres east and north of the eye. The map holds the irradiance of the bed by the sun over that under a flat surface.
+// level, metres east and north of the eye. The map holds the irradiance by the sun over that under a flat surface: on the bed, or where that
+// is deep, on a level plane some metres below the eye, from where its pattern goes on along the sun's rays.
+#import frame
 
 const CAUSTIC_REACH: f32 = 36.0;       // metres from the eye to the map's edge
 const CAUSTIC_EVEN: f32 = 2.5;         // metres about the eye where texels are about alike; beyond they grow with the distance
+
+// Depth of the map's place where the bed is so deep.
+fn caustic_depth(depth: Metres) -> Metres { return clamp(depth, 0.1, max(8.0, 4.0 - frame.eye_altitude)); }
 
 fn inverse_sinh(x: vec2f) -> vec2f { return sign(x) * log(abs(x) + sqrt(x * x + 1.0)); }
 

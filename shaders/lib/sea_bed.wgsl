@@ -4,7 +4,7 @@
 #import hash
 #import under_water
 
-const BED_SIDE: f32 = 4096.0;                  // as in src/scene/frame/place.rs
+const BED_SIDE: f32 = 4096.0;                
 
 // A way from the eye's foot, east and north, to a place of the bed's square.
 fn bed_place(way: vec2f) -> vec2f {
@@ -102,4 +102,9 @@ fn bed_light(w: Underwater, way: vec2f, depth: Metres, footprint: Metres, causti
     let direct = mix(1.0, caustic, sharp) * mix(1.0, max(dot(normal, w.to_sun), 0.0) / w.to_sun.z, 0.25 + 0.75 * sharp);
     let down = left * (w.sun * direct + w.sky * (0.6 + 0.4 * normal.z));
     return look.albedo / PI * down / (1.0 - MIRRORED_BACK * look.albedo * left * left);
+}
+
+// The sun's light over its mean at a place on the bed.
+fn bed_caustic(w: Underwater, map: texture_2d<f32>, way: vec2f, depth: Metres) -> f32 {
+    return caustic_at(map, way + w.to_sun.xy / max(w.to_sun.z, 0.3) * (depth - caustic_depth(depth)));
 }

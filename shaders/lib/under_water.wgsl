@@ -28,15 +28,21 @@ const ENTERED_SKY: f32 = 0.934;    // share of diffuse light that enters the wat
 // Radiance below the surface of what leaves it, n² / (1 - R), over pi: a reflectance is of light that has come through.
 const BELOW: f32 = WATER_INDEX * WATER_INDEX / (0.98 * PI);
 
-// Of the kind of water at the eye's place, in the daylight there.
-fn underwater(light: Daylight) -> Underwater {
-    let kind = water_kind(map_point(vec3f(0.0)), frame.sin_lat, frame.eye_depth);
+// The water at the eye's place in the daylight there.
+fn underwater(light: Daylight) -> Underwater { return underwater_of(water_kind(map_point(vec3f(0.0)), frame.sin_lat, frame.eye_depth), light); }
+
+fn underwater_of(kind: f32, light: Daylight) -> Underwater {
     let mu = max(frame.light.z, 0.0);
     let fading = attenuation(kind);
     let haze = scattering(kind);
     let beam = fading + haze;
+    // Clear water is a purer blue than displays have, its red below 0, where the table has 0. As much white as that lacks keeps the hue: red
+    // of pure spectral blues is -(0.1 blue + 1.07 green), water's about three fifths of it.
+    let pure = deep_reflectance(kind);
+    let white = max(0.6 * (0.1 * pure.b + 1.07 * pure.g) - pure.r, 0.0) * (1.0 - saturate(kind - 3.0));
+    let body = (pure + vec3f(0.0, white, white)) * pure.b / (pure.b + white);
     return Underwater(fading, beam, light.sun * mu * (1.0 - fresnel_water(mu)), light.sky * ENTERED_SKY,
-        -into_water(-frame.light, vec3f(0.0, 0.0, 1.0)), BELOW * deep_reflectance(kind) * (beam + fading), haze);
+        -into_water(-frame.light, vec3f(0.0, 0.0, 1.0)), BELOW * body * (beam + fading), haze);
 }
 
 // Henyey and Greenstein's phase function over what it is straight back, for an asymmetry of 0.55: for skylight, which comes from everywhere
@@ -90,9 +96,8 @@ fn sun_rays(w: Underwater, map: texture_2d<f32>, pixel: vec2f, direction: vec3f,
         let weight = (x + 0.02) * exp(-rate * t);
         let p = direction * t;
         let below = max(-frame.eye_altitude - p.z, 0.0);
-        let over_bed = max(frame.eye_depth - below, 0.0);
-        let sharp = saturate(below / max(frame.eye_depth, 0.1)) * exp(-w.haze * below);
-        sum += weight * sharp * (caustic_near(map, p.xy - slant * over_bed) - 1.0);
+        let sharp = saturate(below / caustic_depth(frame.eye_depth)) * exp(-w.haze * below);
+        sum += weight * sharp * (caustic_near(map, p.xy + slant * (below - caustic_depth(frame.eye_depth))) - 1.0);
         whole += weight;
         i++;
         if i == RAY_STEPS { break; }

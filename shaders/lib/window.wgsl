@@ -1,7 +1,7 @@
 // The surface from below: sky and sun within Snell's window, around it a mirror of the water and the bed.
 #import sea_bed
 
-const WINDOW_TAPS = 3u;
+const WINDOW_TAPS = 4u;
 const SUN_VARIANCE = 5.4e-6;       // of directions within the sun's disc, on each axis: (0.267 degrees / 2)^2
 
 // Radiance below the surface of what comes through it, or off it, for the sight `direction` that rises to facets with that normal.
@@ -57,8 +57,9 @@ fn surface_from_below(w: Underwater, pixel: vec2f, at: vec3f, direction: vec3f, 
     // Within a pixel the drawn waves turn the mirror, too: by a part of all their slopes.
     let blur = length(at) * frame.pixel_angle + way * (frame.pixel_angle + sqrt(variance + TURNED_IN_PIXEL * all_slopes()));
     var caustic = 1.0;
-    if FINE { caustic = mix(1.0, caustic_at(scene_colour, spot.xy), 1.0 - smoothstep(0.05, 0.4, blur)); }
-    let bed = bed_light(w, spot.xy, depth, blur, caustic);
+    if FINE { caustic = mix(1.0, bed_caustic(w, scene_colour, spot.xy, depth), 1.0 - smoothstep(0.05, 0.4, blur)); }
+    var bed = vec3f(0.0);
+    if (frame.layers & SHOWS_LAND) != 0u { bed = bed_light(w, spot.xy, depth, blur, caustic); }
     let below = seen_through(w, bed, min(at.z + frame.eye_altitude, 0.0), away, way, 1.0);
     let surface = WATER_INDEX * WATER_INDEX * (sky + sun) + mirrored * below;
     let distance = length(at);

@@ -15,8 +15,6 @@ pub const TEXELS: u32 = 1024;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R16Float;
 /// Samples of a texel: many triangles are narrower than texels.
 const SAMPLES: u32 = 4;
-/// Bed below which no net is drawn, metres: there the sun's light comes from everywhere.
-pub const DEEPEST_M: f64 = 60.0;
 
 /// The composed shader.
 pub fn source() -> String {

@@ -3,7 +3,7 @@
 use super::targets::{DEPTH_FORMAT, Passes, Radiance, Targets};
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
-use crate::pass::caustics::{self, Caustics};
+use crate::pass::caustics::Caustics;
 use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
@@ -71,15 +71,15 @@ impl Below {
     pub(super) fn draw(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        (frame, side, kind): (&Frame, &Side, Kind),
+        frame: &Frame,
+        kind: Kind,
         (passes, targets): (&Passes, &Targets),
         [frame_group, surface]: [&wgpu::BindGroup; 2],
         (into, clear): (Option<&wgpu::TextureView>, wgpu::Color),
         sea: impl FnOnce(&mut wgpu::RenderPass),
     ) {
-        let is_shallow = side.depth_m.is_some_and(|depth_m| depth_m < caustics::DEEPEST_M);
-        let has_waves = frame.is_fine() && is_shallow && frame.sea.sea.hs_m > 0.0;
-        self.caustics.draw(encoder, !has_waves, frame_group, surface);
+        let is_even = !frame.is_fine() || frame.sea.sea.hs_m == 0.0;
+        self.caustics.draw(encoder, is_even, frame_group, surface);
         {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "deep", &targets.scene, clear, depth);

@@ -26,6 +26,7 @@ mod sparkle;
 mod spray;
 mod surface_sample;
 mod translucence;
+mod under_water;
 mod vertex_branches;
 mod water;
 mod wave_anchors;

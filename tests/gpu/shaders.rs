@@ -13,8 +13,8 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, city_lights, cloud_map, clouds, fft, foam, globe, land, ocean, perlin, sky,
-    sky_table, sky_view, stars, tonemap,
+    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_map, clouds, deep, fft, foam, globe, land, ocean, perlin,
+    sky, sky_table, sky_view, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -34,6 +34,8 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("blit.wgsl", blit::source(false)),
         ("blit.wgsl", blit::source(true)),
         ("pane.wgsl", pane::source(panel::ground_colour(), false)),
+        ("caustics.wgsl", caustics::source()),
+        ("waterline.wgsl", waterline::source()),
         ("city_lights.wgsl", city_lights::source(false)),
         ("city_lights.wgsl", city_lights::source(true)),
         ("cloud_map.wgsl", cloud_map::source()),
@@ -56,6 +58,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         all.push(("land.wgsl", land::source(kind)));
         all.push(("sky.wgsl", sky::source(kind)));
     }
+    all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
     all.extend(transforms);
     all
@@ -241,6 +244,8 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "EDGE_ABOVE") as f32, ocean::EDGE_ABOVE);
     assert_eq!(constant(&ocean, "PAGE_LEVELS"), streaming::PAGE_LEVELS as f64);
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), streaming::PAGE_WINDOW as f64);
+    let bed = deep::source(deep::kinds().next().unwrap());
+    assert_eq!(constant(&bed, "BED_SIDE"), ocean_globe::scene::frame::BED_SIDE_M);
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
     assert_eq!(constant(&globe::source(Kind::default()), "RIM"), f64::from(globe::RIM));
     let reflectance = optics::DEEP_REFLECTANCE.map(|share| f64::from(share as f32));

@@ -15,6 +15,7 @@ mod relief;
 mod ride;
 mod sheets;
 mod sweep;
+mod under_water;
 mod views;
 mod window;
 mod world_in_view;

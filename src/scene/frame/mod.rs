@@ -10,11 +10,12 @@ use crate::model::{earth, moon, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
-use crate::scene::sea::surface_sample::HELD_BY_DEPTH;
+use crate::scene::sea::surface_sample::allowed_by_depth;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::Camera;
 use crate::scene::view::map_tiles::RELIEF_M;
 pub use clouds::Clouds;
+pub use place::BED_SIDE_M;
 pub use uniform::{FrameUniform, NEAR_M, Output};
 use uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 
@@ -161,8 +162,7 @@ impl Frame {
 
     /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that.
     pub fn over_water_m(&self, depth_m: f64) -> f64 {
-        let held = (depth_m * HELD_BY_DEPTH / self.sea.sea.hs_m.max(1e-3)).clamp(0.0, 1.0);
-        self.camera.altitude_m - held * self.surface_m
+        self.camera.altitude_m - allowed_by_depth(depth_m, self.sea.sea.hs_m) * self.surface_m
     }
 
     /// The same frame, reporting a measured layer instead of the picture.
