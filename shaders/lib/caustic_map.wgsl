@@ -50,9 +50,11 @@ fn caustic_at(map: texture_2d<f32>, place: vec2f) -> f32 {
     return mix(1.0, light, inside);
 }
 
+const BRIGHTEST_NEAR = 5.0;            // single texels shine like sparks
+
 // The same by the nearest texel alone: for sums over many places.
 fn caustic_near(map: texture_2d<f32>, place: vec2f) -> f32 {
     let at = caustic_coordinates(place);
-    let light = textureLoad(map, vec2u(caustic_texel(at, f32(textureDimensions(map).x))), 0).r;
+    let light = min(textureLoad(map, vec2u(caustic_texel(at, f32(textureDimensions(map).x))), 0).r, BRIGHTEST_NEAR);
     return mix(1.0, light, 1.0 - smoothstep(0.7, 0.92, max(abs(at.x), abs(at.y))));
 }

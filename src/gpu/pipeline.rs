@@ -204,7 +204,15 @@ impl Gpu {
         target: impl Into<wgpu::ColorTargetState>,
         depth: Option<Depth>,
     ) -> Drawing {
-        self.drawing_smooth(label, (source, vertex), groups, buffers, target.into(), depth, depth.map_or(1, |d| d.samples))
+        self.drawing_smooth(
+            label,
+            (source, vertex),
+            groups,
+            buffers,
+            target.into(),
+            depth,
+            depth.map_or(1, |d| d.samples),
+        )
     }
 
     /// As [`Gpu::drawing`], into a target with so many samples of a pixel, as many as the depth has.

@@ -157,7 +157,8 @@ impl Ocean {
 
     /// Takes the scene's colour and depth, and the map of caustics, which an eye in the water sees in the colour's place.
     pub fn set_scene(&mut self, gpu: &Gpu, [colour, caustics, depth]: [&wgpu::TextureView; 3]) {
-        let group = |colour| gpu.bind("scene", &self.layouts[2], &[colour, depth].map(wgpu::BindingResource::TextureView));
+        let group =
+            |colour| gpu.bind("scene", &self.layouts[2], &[colour, depth].map(wgpu::BindingResource::TextureView));
         (self.scene, self.below) = (Some(group(colour)), Some(group(caustics)));
     }
 
@@ -201,6 +202,10 @@ impl Ocean {
         }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1], look.kind.under_water), 0, 0..1);
+        pass.draw_indexed(
+            0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1], look.kind.under_water),
+            0,
+            0..1,
+        );
     }
 }

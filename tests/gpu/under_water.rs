@@ -59,7 +59,9 @@ fn seen(asked: &[Asked]) -> [Vec<[f64; 4]>; 3] {
     let groups =
         [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), gpu.bind("unused", &layouts[1], &[])];
     let kernel = Kernel::<3>::new(&gpu, &shader::composed(KERNEL, ""), "look", &layouts.each_ref());
-    kernel.run::<_, [f32; 4]>(&gpu, &groups.each_ref(), asked).map(|list| list.iter().map(|v| v.map(f64::from)).collect())
+    kernel
+        .run::<_, [f32; 4]>(&gpu, &groups.each_ref(), asked)
+        .map(|list| list.iter().map(|v| v.map(f64::from)).collect())
 }
 
 #[test]
@@ -72,7 +74,10 @@ fn what_is_seen_fades_with_distance_as_beer_and_lambert_say() {
                 let left = pair[1][colour] - pair[0][colour];
                 let expected = (-beams[0][colour] * metres).exp();
                 // The veil, which is subtracted, is up to ten times what is left, and has seven digits.
-                assert!((left - expected).abs() < 1e-5 * (1.0 + pair[0][colour]), "kind {kind}, {metres} m: {left}, {expected}");
+                assert!(
+                    (left - expected).abs() < 1e-5 * (1.0 + pair[0][colour]),
+                    "kind {kind}, {metres} m: {left}, {expected}"
+                );
             }
         }
     }

@@ -217,7 +217,8 @@ fn the_surface_goes_by_without_holes() {
         let mut last: Option<f64> = None;
         for instant in instants(&state) {
             let (_, picture) = film.draw(&state, instant);
-            let holes = picture.chunks_exact(4).filter(|p| p[0] > 200 && p[2] > 200 && i32::from(p[1]) < i32::from(p[0]) - 60);
+            let holes =
+                picture.chunks_exact(4).filter(|p| p[0] > 200 && p[2] > 200 && i32::from(p[1]) < i32::from(p[0]) - 60);
             assert_eq!(holes.count(), 0, "{view}: holes");
             let black = picture.chunks_exact(4).filter(|p| p[..3].iter().all(|part| *part < 4)).count();
             assert_eq!(black, 0, "{view}: black pixels");
