@@ -298,7 +298,7 @@ impl Renderer {
             let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, kind, targets.samples());
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
-            self.below.draw(encoder, frame, kind, pictures, groups, (from_below.as_ref(), clear), sea);
+            self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
         }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }

@@ -71,8 +71,7 @@ impl Below {
     pub(super) fn draw(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        frame: &Frame,
-        kind: Kind,
+        (frame, kind): (&Frame, Kind),
         (passes, targets): (&Passes, &Targets),
         [frame_group, surface]: [&wgpu::BindGroup; 2],
         (into, clear): (Option<&wgpu::TextureView>, wgpu::Color),
