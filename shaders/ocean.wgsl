@@ -15,6 +15,7 @@
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;     // to an eye in the water: the map of caustics
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
+const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
@@ -76,6 +77,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         }
         rest = direction * distance;
         moved = rest;
+    }
+    // No eye in the water sees so far, nor through the earth.
+    if UNDER_WATER && !MEASURED && distance > FARTHEST_SURFACE {
+        discard;
+        return vec4f(0.0);
     }
     // Land in front of the water hides it, its bed does not.
     let pixel = vec2u(in.position.xy);

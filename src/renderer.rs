@@ -248,7 +248,7 @@ impl Renderer {
         let stars = stars.map(|stars| stars.prepare(&self.gpu, frame));
         let city_lights = self.city_lights.as_mut().filter(|_| is_seen && frame.shows_city_lights);
         let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame));
-        let points = stars.into_iter().flatten().chain(city_lights);
+        let points: Vec<_> = stars.into_iter().flatten().chain(city_lights).collect();
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -269,7 +269,7 @@ impl Renderer {
             let mut pass = begin(encoder, "globe", &radiance, clear, depth);
             self.globe.draw(&mut pass, kind, frame_group, surface);
             self.sky.draw(&mut pass, kind, frame_group, surface);
-            points.for_each(|points| points.draw(&mut pass, frame_group, surface));
+            points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
         } else if kind.measured || !kind.under_water {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
@@ -279,7 +279,7 @@ impl Renderer {
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);
             }
-            points.for_each(|points| points.draw(&mut pass, frame_group, surface));
+            points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             // Waves stand before clouds that are above the eye.
             if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| !clouds.are_below) {

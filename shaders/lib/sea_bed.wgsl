@@ -98,7 +98,7 @@ fn bed_light(w: Underwater, way: vec2f, depth: Metres, footprint: Metres, causti
     let normal = normalize(vec3f(-look.slope, 1.0));
     let left = exp(-w.fading * depth);
     // What has been scattered on its way shows no wave.
-    let sharp = exp(-w.haze * depth);
+    let sharp = exp(-w.haze * depth / w.to_sun.z);
     let direct = mix(1.0, caustic, sharp) * mix(1.0, max(dot(normal, w.to_sun), 0.0) / w.to_sun.z, 0.25 + 0.75 * sharp);
     let down = left * (w.sun * direct + w.sky * (0.6 + 0.4 * normal.z));
     return look.albedo / PI * down / (1.0 - MIRRORED_BACK * look.albedo * left * left);

@@ -96,7 +96,7 @@ fn sun_rays(w: Underwater, map: texture_2d<f32>, pixel: vec2f, direction: vec3f,
         let weight = (x + 0.02) * exp(-rate * t);
         let p = direction * t;
         let below = max(-frame.eye_altitude - p.z, 0.0);
-        let sharp = saturate(below / caustic_depth(frame.eye_depth)) * exp(-w.haze * below);
+        let sharp = saturate(below / caustic_depth(frame.eye_depth)) * exp(-w.haze * below / w.to_sun.z);
         sum += weight * sharp * (caustic_near(map, p.xy + slant * (below - caustic_depth(frame.eye_depth))) - 1.0);
         whole += weight;
         i++;

@@ -12,6 +12,7 @@ use ocean_globe::scene::view::state::ViewState;
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 /// Off the Exumas, Bahamas: 3.6 m of water.
 const SHALLOWS: &str = "24.3,-76.55";
+const SHALLOWS_BELOW: &str = "24.3,-76.55,-1.5";
 const NOON: &str = "time=2026-06-21T17:00:00Z";
 
 fn state(link: &str) -> ViewState {
@@ -230,6 +231,20 @@ fn the_surface_goes_by_without_holes() {
             }
             println!("{view}: {share:.3} of the picture is water");
             last = Some(share);
+        }
+    }
+}
+
+#[test]
+fn pictures_from_below_are_whole_by_either_mesh() {
+    // `Film::draw` finds what is not finite. Down, level and up, in deep water and in shallows.
+    let mut film = Film::new();
+    for place in ["45,-30,-2", SHALLOWS_BELOW] {
+        for (tilt, mesh) in [(60, "bisect,8,60000"), (88, "bisect,8,60000"), (88, "grid"), (150, "grid")] {
+            let state = state(&format!("#view={place},60,{tilt}&mesh={mesh}&wind=6@90&{NOON}"));
+            let (_, picture) = film.draw(&state, render::instant(&state));
+            let black = picture.chunks_exact(4).filter(|p| p[..3].iter().all(|part| *part < 4)).count();
+            assert_eq!(black, 0, "{place}, tilt {tilt}, {mesh}: black pixels");
         }
     }
 }
