@@ -13,7 +13,7 @@ const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 /// Off the Exumas, Bahamas: 3.6 m of water.
 const SHALLOWS: &str = "24.3,-76.55";
 const SHALLOWS_BELOW: &str = "24.3,-76.55,-1.5";
-const NOON: &str = "time=2026-06-21T17:00:00Z";
+const NOON: &str = "time=2026-06-21T17:00:00Z&clouds=0";
 
 fn state(link: &str) -> ViewState {
     render::parse_state(link).unwrap()
