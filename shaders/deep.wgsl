@@ -54,7 +54,7 @@ fn fragment(in: Pixel) -> Seen {
     var radiance = vec3f(0.0);
     let rays = sun_rays(w, caustics, in.position.xy, direction, way);
     let place = direction * min(distance, FARTHEST);
-    let footprint = distance * frame.pixel_angle / sqrt(max(sinking, 0.02));
+    let footprint = footprint_on_bed(distance, direction, sinking, 0.0);
     if hits {
         var caustic = 1.0;
         if FINE { caustic = bed_caustic(w, caustics, place.xy, depth); }

@@ -54,9 +54,30 @@ fn ripples(place: vec2f, way: vec2f, wide: f32, bend: vec3f) -> vec3f {
     return vec3f((-sin(along) - 0.5 * sin(2.0 * along)) * rise, cos(along) + 0.25 * cos(2.0 * along));
 }
 
+// What a pixel covers of the bed: so many metres across the sight, and so much more along it, east and north.
+struct Footprint { across: Metres, along: vec2f }
+
+fn footprint_on_bed(distance: Metres, direction: vec3f, sinking: f32, blur: Metres) -> Footprint {
+    let across = distance * frame.pixel_angle + blur;
+    let longer = across * sqrt(max(1.0 / max(sinking * sinking, 1e-4) - 1.0, 0.0));
+    return Footprint(across, longer * direction.xy / max(length(direction.xy), 1e-4));
+}
+
+// How wide it is along a way.
+fn width_along(footprint: Footprint, way: vec2f) -> Metres {
+    let along = dot(way, footprint.along);
+    return sqrt(footprint.across * footprint.across + along * along);
+}
+
 struct BedLook { slope: vec2f, albedo: vec3f }
 
-fn bed_look(place: vec2f, depth: Metres, footprint: Metres) -> BedLook {
+const RIPPLES_FIRST = vec2f(0.934, 0.358);      // ways that they lie across
+const RIPPLES_SECOND = vec2f(0.788, 0.616);
+const RIPPLES_THIRD = vec2f(0.31, 0.95);
+
+fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
+    // As good as square, for what has no direction.
+    let footprint = sqrt(pixel.across * length(vec2f(pixel.across, length(pixel.along))));
     // Broad heaps, and the bends of ripples.
     let broad = bed_noise(place, 16.0, 31u);
     let heaps = bed_noise(place, 4.0, 32u);
@@ -68,15 +89,15 @@ fn bed_look(place: vec2f, depth: Metres, footprint: Metres) -> BedLook {
     let bend = 0.55 * heaps + 0.07 * small;
     let share = smoothstep(-0.12, 0.12, broad.z + 0.5 * heaps.z);
     let calm = smoothstep(-0.35, 0.1, heaps.z + 0.3 * broad.z) * mix(1.0, 0.35, smoothstep(6.0, 25.0, depth));
-    let first = ripples(place, vec2f(0.934, 0.358), 0.27, bend);
-    let second = ripples(place, vec2f(0.788, 0.616), 0.23, bend);
-    let third = ripples(place, vec2f(0.31, 0.95), 0.09, 0.3 * bend);
+    let first = shown(width_along(pixel, RIPPLES_FIRST), 0.27) * ripples(place, RIPPLES_FIRST, 0.27, bend);
+    let second = shown(width_along(pixel, RIPPLES_SECOND), 0.23) * ripples(place, RIPPLES_SECOND, 0.23, bend);
+    let third = shown(width_along(pixel, RIPPLES_THIRD), 0.09) * ripples(place, RIPPLES_THIRD, 0.09, 0.3 * bend);
     let ripple = mix(first, second, share);
     let amplitude = 0.0125 * (0.35 + 0.65 * calm);
-    slope += amplitude * shown(footprint, 0.25) * ripple.xy + 0.0016 * (1.0 - calm) * shown(footprint, 0.09) * third.xy;
+    slope += amplitude * ripple.xy + 0.0016 * (1.0 - calm) * third.xy;
     // Dark grains gather in troughs, pale shell on crests; no two places are alike.
     let grains = bed_noise(place, 0.03125, 35u).z * shown(footprint, 0.03125) + bed_noise(place, 0.0078125, 36u).z * shown(footprint, 0.0078125);
-    let tone = 1.0 + 0.10 * ripple.z * calm * shown(footprint, 0.25) + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
+    let tone = 1.0 + 0.10 * ripple.z * calm + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
         + 0.12 * tiny.z * shown(footprint, 0.25);
     var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
     // Seagrass in meadows of 30 to 250 m, torn at their edges; rock where it is neither.
@@ -93,8 +114,8 @@ fn bed_look(place: vec2f, depth: Metres, footprint: Metres) -> BedLook {
 }
 
 // Radiance of the bed at a way from the eye's foot, where the water is `depth` deep. `caustic`: the sun's light there over its mean.
-fn bed_light(w: Underwater, way: vec2f, depth: Metres, footprint: Metres, caustic: f32) -> vec3f {
-    let look = bed_look(bed_place(way), depth, footprint);
+fn bed_light(w: Underwater, way: vec2f, depth: Metres, pixel: Footprint, caustic: f32) -> vec3f {
+    let look = bed_look(bed_place(way), depth, pixel);
     let normal = normalize(vec3f(-look.slope, 1.0));
     let left = exp(-w.fading * depth);
     // What has been scattered on its way shows no wave.

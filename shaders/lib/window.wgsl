@@ -59,7 +59,7 @@ fn surface_from_below(w: Underwater, pixel: vec2f, at: vec3f, direction: vec3f, 
     var caustic = 1.0;
     if FINE { caustic = mix(1.0, bed_caustic(w, scene_colour, spot.xy, depth), 1.0 - smoothstep(0.05, 0.4, blur)); }
     var bed = vec3f(0.0);
-    if (frame.layers & SHOWS_LAND) != 0u { bed = bed_light(w, spot.xy, depth, blur, caustic); }
+    if (frame.layers & SHOWS_LAND) != 0u { bed = bed_light(w, spot.xy, depth, footprint_on_bed(0.0, away, -away.z, blur), caustic); }
     let below = seen_through(w, bed, min(at.z + frame.eye_altitude, 0.0), away, way, 1.0);
     let surface = WATER_INDEX * WATER_INDEX * (sky + sun) + mirrored * below;
     let distance = length(at);
