@@ -115,9 +115,10 @@ pub fn inputs(folder: &Path) -> [PathBuf; 2] {
 /// Bakes a mask and an elevation into a folder.
 pub fn run(mask: &Path, elevation: &Path, output: &Path) -> Result<()> {
     bake(&BakeArgs {
-        elevation: elevation.into(),
+        elevation: Some(elevation.into()),
         elevation_east_deg: 0.0,
         masks: vec![mask.into()],
+        imagery: None,
         output: output.into(),
         water_zoom: 4,
         terrain_zoom: 2,
@@ -128,6 +129,11 @@ pub fn run(mask: &Path, elevation: &Path, output: &Path) -> Result<()> {
         worth_km2: vec![1.0],
         elevation_credit: "somebody's heights".into(),
         mask_credit: "somebody's coasts".into(),
+        imagery_zoom: 3,
+        imagery_full_zoom: 3,
+        imagery_worth: 0.0,
+        imagery_quality: 90,
+        imagery_credit: "somebody's colours".into(),
     })
 }
 
