@@ -14,10 +14,11 @@ const REMEDY: &str = "give an 8-bit RGB picture of the world, JPEG or PNG, twice
 /// Pixels inland from which on a pixel shows land, and from which on it shows land alone, whatever its colour: a picture's compression mixes
 /// colours over two pixels and more, and coasts of two sources lie half a pixel apart.
 const INLAND: [[f32; 2]; 2] = [[-0.3, 1.5], [2.0, 5.0]];
-/// How much bluer than its other colours a pixel is that shows water: none, all, as a share. Ice in shadow has less.
-const BLUE: [f32; 2] = [0.06, 0.18];
+/// How much bluer than its other colours a pixel is that shows water: none, all, as a share, near a shore and far from it. Ice in shadow has
+/// less.
+const BLUE: [[f32; 2]; 2] = [[0.02, 0.10], [0.06, 0.18]];
 /// By how much less blue soil and plants are near a shore where nothing of the water is mixed into them, and ice is not.
-const BROWN: f32 = 0.34;
+const BROWN: f32 = 0.28;
 /// The least of a pixel's colours that snow and ice have: none, all.
 const WHITE: [f32; 2] = [0.45, 0.65];
 
@@ -99,8 +100,8 @@ fn trust(pixel: [f32; 3], inland: f32) -> f32 {
     let [r, g, b] = pixel.map(|part| display(part) as f32);
     let excess = (b - r.max(g)) / r.max(g).max(b).max(0.04);
     let brown = BROWN * (1.0 - smooth(WHITE, r.min(g).min(b)));
-    let near = smooth(INLAND[0], inland) * (1.0 - smooth(BLUE, excess + brown));
-    let far = smooth(INLAND[1], inland) * (1.0 - smooth(BLUE, excess));
+    let near = smooth(INLAND[0], inland) * (1.0 - smooth(BLUE[0], excess + brown));
+    let far = smooth(INLAND[1], inland) * (1.0 - smooth(BLUE[1], excess));
     near.max(far)
 }
 
