@@ -61,7 +61,7 @@ impl WorldTiles {
         }
     }
 
-    /// Terrain and water: the atlases as arrays, then the page tables.
+    /// What tells the ground's shape: the atlases of terrain and water as arrays, then the page tables.
     pub fn bindings(&self) -> ([wgpu::TextureView; 2], &wgpu::Buffer) {
         (Layer::SHAPE.map(|layer| array_view(&self.atlases[layer as usize])), &self.pages)
     }
