@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the bundled world, www/data/*.pmtiles, from its public sources:
+# Makes the bundled world, www/data/*.pmtiles, from its public sources (its imagery by make-imagery.sh, which also runs alone):
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
 #   coasts     GSHHG (Wessel & Smith 1996), full resolution, Debian's gmt-gshhg-full, rasterised by gmt grdlandmask
 # Needs apt (root or sudo) unless the packages are there, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
@@ -54,4 +54,5 @@ nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" -o "$O
   --elevation "$ELEVATION" --elevation-east-deg 0.04 \
   --elevation-credit 'Elevation: ETOPO5, NOAA National Geophysical Data Center (1988)' \
   --mask-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3'
+scripts/make-imagery.sh "$OUTPUT"
 du -ch "$OUTPUT"/*.pmtiles

@@ -122,7 +122,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let w = underwater(light);
         let seen = surface_from_below(w, in.position.xy, moved, direction, normal, up, calmed * calmed * slopes.rough, depth);
         if !MEASURED { return shown_in_water(w, seen); }
-        return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), seen);
+        return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), seen);
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
@@ -161,5 +161,5 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         radiance = mix(scene_radiance(vec2u(beyond)), radiance, limb.share);
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
-    return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y), radiance);
+    return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), radiance);
 }

@@ -35,6 +35,14 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+    /// A server says that there is no such file.
+    #[error("{url}: the server answers {status}")]
+    NotThere {
+        /// What was asked for.
+        url: String,
+        /// Its status: 404 or 410, and what the server calls it.
+        status: String,
+    },
     /// A server did not deliver.
     #[error("{url}: {why}")]
     Fetch {
@@ -57,6 +65,15 @@ pub enum Error {
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
+    /// Whether there is no such file, as opposed to one that cannot be had.
+    pub fn is_missing(&self) -> bool {
+        match self {
+            Self::NotThere { .. } => true,
+            Self::Io { source, .. } => source.kind() == std::io::ErrorKind::NotFound,
+            _ => false,
+        }
+    }
+
     /// A [`Error::BadValue`] from anything printable.
     pub fn bad_value(what: impl Into<String>, value: impl ToString, remedy: impl Into<String>) -> Self {
         Self::BadValue { what: what.into(), value: value.to_string(), remedy: remedy.into() }

@@ -123,9 +123,9 @@ impl Renderer {
             stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
-            globe: Globe::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
+            globe: Globe::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
             below: Below::new(&gpu, frame, layout, radiance),
-            land: Land::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
+            land: Land::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             passes: Passes::new(&gpu, radiance),
             radiance_format: radiance,
@@ -261,20 +261,22 @@ impl Renderer {
         }
         let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
         let surface = self.surface.group();
+        let ground_kind = (kind, self.world.has(Layer::Imagery, Projection::Mercator));
+        let ground_groups = [frame_group, surface, &self.tiles.imagery];
         let layers = frame.uniform.layers;
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
         let radiance = texture::view(&targets.radiance);
         if self.visible.is_none() {
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "globe", &radiance, clear, depth);
-            self.globe.draw(&mut pass, kind, frame_group, surface);
+            self.globe.draw(&mut pass, ground_kind, ground_groups);
             self.sky.draw(&mut pass, kind, frame_group, surface);
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
         } else if kind.measured || !kind.under_water {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, kind, frame_group, surface);
+                self.land.draw(&mut pass, ground_kind, ground_groups);
             }
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);

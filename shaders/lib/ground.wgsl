@@ -1,10 +1,13 @@
-// Dry land, lakes and the sea bed, shaded by height, slope and latitude.
+// Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs).
 #import ground_colour
 #import ground_slope
+#import imagery
 #import shore_pixels
 #import water
 
 const BEACH: Metres = 50.0;     // how wide beaches are
+const SAND = vec3f(0.36, 0.31, 0.22);
+const ROCK = vec3f(0.13, 0.115, 0.10);
 
 // How wide a pixel is on ground that is seen aslant.
 fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
@@ -15,23 +18,47 @@ fn east_at(up: vec3f) -> vec3f {
     return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
 }
 
-struct LitGround { normal: vec3f, radiance: vec3f }
+struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f }
 
 fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprint: Metres, light: Daylight) -> LitGround {
     let east = east_at(up);
     let north = cross(up, east);
-    let slope = ground_slope(point, sin_lat, ground, footprint);
+    let terrain = terrain_slope(point, sin_lat, footprint);
+    let slope = slope_shown(ground) * terrain;
     // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
     let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
-    let sun = light.sun * max(dot(frame.light, normal), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
-    let ambient = light.sky * (0.6 + 0.4 * dot(normal, up));
-    var albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
     // Where the shore crosses a pixel its land is what shows of its ground.
     let is_bed = ocean_share(ground, footprint) >= 1.0;
+    var albedo: vec3f;
+    var shaded = normal;
+    var sand = SAND;
+    var beach = BEACH;
+    if IMAGERY {
+        albedo = imagery_albedo(point, sin_lat, footprint);
+        let snowy = smoothstep(0.3, 0.6, albedo.b);
+        sand = mix(mix(SAND, ROCK, smoothstep(0.04, 0.12, length(terrain))), albedo, snowy);
+        if FINE {
+            let detail = ground_detail(point.at, footprint);
+            albedo = detailed_albedo(albedo, detail);
+            // Hills are as rough as the ground about them is steep.
+            let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed);
+            let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
+            shaded = normalize(normal - hills.x * east - hills.y * north);
+            // Rock stands out where it is steep, more of it on this slope than on that.
+            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) + 0.1 * detail.tone);
+            albedo = mix(albedo, ROCK, 0.7 * steep);
+            // Beaches come and go along a shore.
+            beach = max(beach * smoothstep(-0.3, 0.5, detail.coarse + 0.3 * detail.tone), 1.0);
+        }
+    } else {
+        albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
+    }
     if is_bed { albedo = bed_colour(-ground.elevation); }
-    albedo = mix(albedo, vec3f(0.36, 0.31, 0.22), smoothstep(-60.0, -10.0, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
-        * select(saturate(BEACH / footprint), 0.0, is_bed));
-    return LitGround(normal, albedo / PI * (sun + ambient));
+    albedo = mix(albedo, sand, smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
+        * select(saturate(beach / footprint), 0.0, is_bed));
+    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
+    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up));
+    return LitGround(normal, albedo, albedo / PI * (sun + ambient));
 }
 
 const LAKE_KIND = 2.5;             // of the water of lakes

@@ -37,11 +37,15 @@ fn terrain_rise(point: MapPoint, page: Page) -> vec2f {
     return vec2f(dot(spline_rise(t.x) * rows, spline(t.y)), dot(spline(t.x) * rows, spline_rise(t.y)));
 }
 
-// Slope of the ground at a point: metres per metre east and north. Flat on the beach, where the ground is shaped to the shore.
-fn ground_slope(point: MapPoint, sin_lat: f32, ground: Ground, footprint: Metres) -> vec2f {
+// Slope of the terrain's tiles at a point: metres per metre east and north.
+fn terrain_slope(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec2f {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let page = pages_at(point, level_for(point, footprint, cos_lat)).terrain;
     let rise = terrain_rise(point, page) * vec2f(1.0, -1.0) / texel_metres(point, f32(page.level), sin_lat);
-    let shown = select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
-    return shown * east_north_of(point, rise);
+    return east_north_of(point, rise);
+}
+
+// How much of it the ground has: it is flat on the beach, where it is shaped to the shore.
+fn slope_shown(ground: Ground) -> f32 {
+    return select(1.0, smoothstep(0.0, frame.terrain_resolution / 3.0, abs(ground.ocean_shore)), !ground.is_ocean);
 }

@@ -9,6 +9,7 @@ const HEIGHT = 4u;      // metres of the sea surface (or of the ground) above th
 const NORMAL = 5u;      // unit normal, east north up at the eye
 const CLASS = 6u;       // 1 ocean, 2 lake, 0 land, -1 sky
 const PERLIN_WEIGHT = 7u;
+const ALBEDO = 8u;      // linear, of the ground; 0 where the sea covers it
 
 struct Measured {
     rest: vec3f,        // point of the ellipsoid, local
@@ -19,6 +20,7 @@ struct Measured {
     normal: vec3f,
     water_class: f32,
     perlin_weight: f32,
+    albedo: vec3f,
 }
 
 fn sky_output() -> vec4f { return vec4f(-1.0, -1.0, -1.0, 0.0); }
@@ -46,6 +48,7 @@ fn measured_output(m: Measured, radiance: vec3f) -> vec4f {
         case NORMAL: { return vec4f(m.normal, 1.0); }
         case CLASS: { return vec4f(m.water_class, m.distance, 0.0, 1.0); }
         case PERLIN_WEIGHT: { return vec4f(m.perlin_weight, m.distance, 0.0, 1.0); }
+        case ALBEDO: { return vec4f(m.albedo, 1.0); }
         default: { return vec4f(radiance * frame.exposure, 1.0); }
     }
 }

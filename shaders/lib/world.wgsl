@@ -1,21 +1,24 @@
-// Terrain and water tiles: two atlases of 256-texel layers, found through a table of pages, one entry for both.
+// Terrain, water and imagery tiles: an atlas of 256-texel layers each, found through a table of pages, one entry for all. The atlas of
+// imagery is bound by lib/imagery.wgsl, for whom needs it.
 // A page names the finest resident tile over a place; a missing tile is its parent, magnified.
 #import map
 
 const TILE_BITS = 8u;
 const TILE_TEXELS = 256u;
 const PAGE_LEVELS = 12u;
+const PAGE_SLOT_BITS = 12u;
 const PAGE_WINDOW = 64u;       // tiles per side that a level's table covers, around the eye
 const EARTH_TURN: Metres = 40075016.686;
 
 @group(0) @binding(4) var terrain_tiles: texture_2d_array<f32>;
 @group(0) @binding(5) var water_tiles: texture_2d_array<f32>;
-@group(0) @binding(6) var<storage, read> pages: array<vec2u>;     // words of terrain and water: layer, and level << 16
+@group(0) @binding(6) var<storage, read> pages: array<vec2u>;     // 16 bits each: terrain, water, imagery, none
 
 struct Page { layer: u32, level: u32 }
-struct Pages { terrain: Page, water: Page }
+struct Pages { terrain: Page, water: Page, imagery: Page }
 
-fn page_of(word: u32) -> Page { return Page(word & 0xffffu, word >> 16u); }
+// Of the low 16 bits: the layer of the atlas, then the tile's level.
+fn page_of(bits: u32) -> Page { return Page(bits & ((1u << PAGE_SLOT_BITS) - 1u), (bits & 0xffffu) >> PAGE_SLOT_BITS); }
 
 fn page_slot(square: u32, level: u32, tile: vec2u) -> u32 {
     return ((square * PAGE_LEVELS + level) * PAGE_WINDOW + (tile.y & 63u)) * PAGE_WINDOW + (tile.x & 63u);
@@ -26,7 +29,7 @@ fn pages_at(point: MapPoint, level: u32) -> Pages {
     // A shift by 32 would be none.
     let tile = (point.at >> vec2u(32u - max(level, 1u))) >> vec2u(select(0u, 1u, level == 0u));
     let words = pages[page_slot(point.square, level, tile)];
-    return Pages(page_of(words.x), page_of(words.y));
+    return Pages(page_of(words.x), page_of(words.x >> 16u), page_of(words.y));
 }
 
 fn reference_fixed(square: u32) -> vec2u {
@@ -60,8 +63,7 @@ fn texel(water: bool, square: u32, level: u32, index: vec2u, tile: vec2u, page: 
     let own_tile = index >> vec2u(TILE_BITS);
     var own = page;
     if any(own_tile != tile) {
-        let words = pages[page_slot(square, level, own_tile)];
-        own = page_of(select(words.x, words.y, water));
+        own = page_of(pages[page_slot(square, level, own_tile)].x >> select(0u, 16u, water));
     }
     let at = (index >> vec2u(level - min(own.level, level))) & vec2u(TILE_TEXELS - 1u);
     return page_texel(water, own, at) * select(1.0, exp2(f32(level) - f32(own.level)), water);

@@ -1,13 +1,17 @@
-//! `ocean-globe bake`: an elevation grid and a land mask become the bundled world, six PMTiles archives.
+//! `ocean-globe bake`: an elevation grid and a land mask become the bundled world, six PMTiles archives, and a picture three more.
 //!
-//! The mask decides what is sea (`mask`, `water`); elevation follows it (`elevation`, `terrain`). The same input
+//! The mask decides what is sea (`mask`, `water`); elevation follows it (`elevation`, `terrain`), and so does the land's colour (`picture`,
+//! `land`, `imagery`). The same input
 //! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
 //! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
 
 mod distance;
 mod elevation;
 mod grid;
+mod imagery;
+mod land;
 mod mask;
+mod picture;
 mod terrain;
 mod water;
 mod water_tile;
@@ -24,26 +28,32 @@ use std::path::{Path, PathBuf};
 /// Metres of one degree of the equator.
 const METRES_PER_DEG: f64 = 111_319.49;
 
-/// Make the bundled world from an elevation grid and a land mask.
+/// Make the bundled world from an elevation grid and a land mask, and its imagery from a picture.
 #[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Examples:
   ocean-globe bake --elevation etopo5.cdf --mask south.nc --mask north.nc -o www/data
+  ocean-globe bake --imagery world.jpg -o www/data        adds imagery to a world that is there
   scripts/make-world.sh                  makes the masks from GSHHG first, then bakes
+  scripts/make-imagery.sh                fetches Blue Marble, then bakes it
 
 The mask: bytes 0 ocean, 1 land, 2 lake, 3 island in a lake, 4 pond on such an island, as written by
   gmt grdlandmask -R-180/180/-90/90 -I0.1 -r -Df -N0/1/2/3/4 -Gmask.nc=nb --IO_NC4_CHUNK_SIZE=classic
 Memory: about 500 MB for a mask of 0.005 degrees.")]
 pub struct BakeArgs {
     /// Elevation in metres, netCDF-3, global, nodes from pole to pole (ETOPO5)
-    #[arg(long, value_name = "FILE")]
-    pub elevation: PathBuf,
+    #[arg(long, value_name = "FILE", requires = "masks", required_unless_present = "imagery")]
+    pub elevation: Option<PathBuf>,
     /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub elevation_east_deg: f64,
     /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
-    #[arg(long = "mask", value_name = "FILE", required = true)]
+    #[arg(long = "mask", value_name = "FILE", requires = "elevation")]
     pub masks: Vec<PathBuf>,
-    /// Folder for the six archives; archives that are there are replaced
+    /// Picture of the world, JPEG or PNG, equirectangular, from 180 degrees west, north up; of its land alone, by the water archives in the
+    /// output folder, imagery is made
+    #[arg(long, value_name = "FILE")]
+    pub imagery: Option<PathBuf>,
+    /// Folder for the archives; those that are made anew are replaced
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
     /// Deepest level of the water tiles
@@ -73,9 +83,24 @@ pub struct BakeArgs {
     /// Credit for the mask, shown on screen
     #[arg(long, default_value = "")]
     pub mask_credit: String,
+    /// Deepest level of the imagery tiles
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u8).range(0..=10))]
+    pub imagery_zoom: u8,
+    /// Down to this level all imagery tiles that have land are made
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=10))]
+    pub imagery_full_zoom: u8,
+    /// A deeper imagery tile is made only if it changes the values of its land (0 to 255) by this mean
+    #[arg(long, default_value_t = 0.8)]
+    pub imagery_worth: f64,
+    /// Quality of the imagery's JPEGs
+    #[arg(long, default_value_t = 90, value_parser = clap::value_parser!(u8).range(1..=100))]
+    pub imagery_quality: u8,
+    /// Credit for the imagery, shown on screen
+    #[arg(long, default_value = "")]
+    pub imagery_credit: String,
 }
 
-/// Bakes the six archives.
+/// Bakes the archives.
 ///
 /// # Errors
 /// Unreadable or unsuitable input, an output folder that cannot be written to.
@@ -83,12 +108,20 @@ pub fn bake(args: &BakeArgs) -> Result<()> {
     let output = &args.output;
     std::fs::create_dir_all(output)
         .map_err(|e| Error::io(output.display().to_string(), e, "choose a folder that can be made"))?;
+    if let Some(elevation) = &args.elevation {
+        bake_shape(args, elevation)?;
+    }
+    args.imagery.as_ref().map_or(Ok(()), |picture| bake_imagery(args, picture))
+}
+
+/// Terrain and water.
+fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
+    let output = &args.output;
     let mut mask = mask::Mask::open(&args.masks)?;
     let bar = bar("reducing the mask", mask.height());
     let reduced = mask.reduced(|row| bar.set_position(row as u64))?;
     bar.finish_and_clear();
-    let elevation = elevation::Elevation::open(&args.elevation, args.elevation_east_deg, &reduced)?;
-    let resolution_m = |step_deg: f64| (step_deg * METRES_PER_DEG).round();
+    let elevation = elevation::Elevation::open(elevation, args.elevation_east_deg, &reduced)?;
     for projection in Projection::ALL {
         let polar = projection != Projection::Mercator;
         let depth = terrain::Depth {
@@ -122,6 +155,37 @@ pub fn bake(args: &BakeArgs) -> Result<()> {
     Ok(())
 }
 
+/// The imagery, of the land that the water archives in the output folder have.
+fn bake_imagery(args: &BakeArgs, path: &Path) -> Result<()> {
+    let mut picture = picture::Picture::open(path)?;
+    let land = land::Land::open(&args.output, picture.width)?;
+    picture.fill_water(&land);
+    for projection in Projection::ALL {
+        let polar = projection != Projection::Mercator;
+        let depth = imagery::Depth {
+            max_zoom: if polar { args.imagery_zoom.min(args.polar_zoom) } else { args.imagery_zoom },
+            full_zoom: args.imagery_full_zoom,
+            worth: args.imagery_worth,
+            quality: args.imagery_quality,
+        };
+        let about = About {
+            layer: Layer::Imagery,
+            projection,
+            encoding: "srgb",
+            credit: &args.imagery_credit,
+            resolution_m: resolution_m(picture.step_deg()),
+        };
+        archive(&args.output, &about, |writer, progress| {
+            imagery::add_tiles(writer, projection, (&picture, &land), &depth, progress)
+        })?;
+    }
+    Ok(())
+}
+
+fn resolution_m(step_deg: f64) -> f64 {
+    (step_deg * METRES_PER_DEG).round()
+}
+
 /// What an archive says about itself.
 struct About<'a> {
     layer: Layer,
@@ -153,7 +217,7 @@ fn archive(
         "projection": about.projection.name(),
         "resolution_m": about.resolution_m,
         "type": "baselayer",
-        "format": "png",
+        "format": if about.layer == Layer::Imagery { "jpg" } else { "png" },
     }))?;
     bar.finish_and_clear();
     println!("{name}: {:.2} MB", size as f64 / 1e6);

@@ -35,6 +35,8 @@ pub enum LayerName {
     Class,
     /// Weight of the far (Perlin) field; NaN in the sky.
     PerlinWeight,
+    /// Albedo of the ground, linear sRGB, 0 where the sea covers it; NaN in the sky.
+    Albedo,
 }
 
 impl LayerName {
@@ -48,6 +50,7 @@ impl LayerName {
             Self::Luminance | Self::Radiance => Output::Picture,
             Self::Class => Output::Class,
             Self::PerlinWeight => Output::PerlinWeight,
+            Self::Albedo => Output::Albedo,
         }
     }
 }
@@ -189,7 +192,7 @@ pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer
             let absolute = |t: [f64; 4]| if sky(&t) { [f64::NAN; 2] } else { [wrapped(lon + t[0]), lat + t[1]] };
             (2, texels.flat_map(absolute).collect())
         }
-        LayerName::Normal => {
+        LayerName::Normal | LayerName::Albedo => {
             (3, texels.flat_map(|t| if sky(&t) { [f64::NAN; 3] } else { [t[0], t[1], t[2]] }).collect())
         }
         _ => (1, texels.map(|t| if sky(&t) { f64::NAN } else { t[0] }).collect()),

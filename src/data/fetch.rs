@@ -155,6 +155,10 @@ mod web {
             let last = offset.saturating_add(length.max(1) - 1);
             let response = self.respond(offset, last).await.map_err(|e| self.failed(reason(&e)))?;
             let status = response.status();
+            if status == 404 || status == 410 {
+                let status = format!("{status} {}", response.status_text());
+                return Err(Error::NotThere { url: self.url.clone(), status });
+            }
             if status != 200 && status != 206 {
                 return Err(self.failed(format!("the server answers {status} {}", response.status_text())));
             }

@@ -1,6 +1,6 @@
 //! Floor 1: foreign bytes become typed grids.
 //!
-//! Tile addresses ([`tile`]), the two tile codecs ([`terrarium`], [`water`]), the archive format that holds them
+//! Tile addresses ([`tile`]), the three tile codecs ([`terrarium`], [`water`], [`imagery`]), the archive format that holds them
 //! ([`pmtiles`]), where bytes come from ([`fetch`]: the only place that differs between
 //! the web and native), and all of it together as one world that loads piece by piece ([`world`]).
 //!
@@ -9,6 +9,7 @@
 
 pub mod city_lights;
 pub mod fetch;
+pub mod imagery;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod netcdf;
 pub mod pmtiles;
@@ -30,6 +31,8 @@ pub enum TileTexels {
     Terrain(Vec<f32>),
     /// Red, green, blue of the water tile and a zero, 65,536 values; see [`water`] for what they mean.
     Water(Vec<[u8; 4]>),
+    /// Red, green, blue (sRGB) of the land and 255, 65,536 values; see [`imagery`].
+    Imagery(Vec<[u8; 4]>),
 }
 
 /// A decoded tile that several readers share.

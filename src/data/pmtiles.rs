@@ -88,7 +88,7 @@ pub struct Header {
     pub internal_compression: Compression,
     /// How tiles are packed, beyond their own format.
     pub tile_compression: Compression,
-    /// 2 is PNG.
+    /// 2 is PNG, 3 JPEG.
     pub tile_type: u8,
     /// The coarsest level.
     pub min_zoom: u8,

@@ -189,6 +189,7 @@ impl Map<'_, '_> {
                 let texel_m = texel_size_m(self.projection, z, lat);
                 Ok(Some([distance_from_byte(ocean) * texel_m, distance_from_byte(lake) * texel_m]))
             }
+            Some(TileTexels::Imagery(_)) => Ok(None),
             None if z > 0 => self.bilinear(layer, z - 1, centre),
             None => Ok(None),
         }

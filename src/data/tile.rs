@@ -72,17 +72,24 @@ pub enum Layer {
     Terrain,
     /// Water class and signed distances to the shores, see [`super::water`].
     Water,
+    /// The land's colour, see [`super::imagery`]. A world may lack it.
+    Imagery,
 }
 
 impl Layer {
-    /// Both layers.
-    pub const ALL: [Self; 2] = [Self::Terrain, Self::Water];
+    /// How many there are.
+    pub const COUNT: usize = 3;
+    /// All layers.
+    pub const ALL: [Self; Self::COUNT] = [Self::Terrain, Self::Water, Self::Imagery];
+    /// Those without which there is no world: the ground's shape.
+    pub const SHAPE: [Self; 2] = [Self::Terrain, Self::Water];
 
-    /// The name used in file names: `terrain` or `water`.
+    /// The name used in file names: `terrain`, `water` or `imagery`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Terrain => "terrain",
             Self::Water => "water",
+            Self::Imagery => "imagery",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The world as it loads: six archives below one folder or URL, asked for tile by tile, coarse tiles first.
+//! The world as it loads: archives below one folder or URL, asked for tile by tile, coarse tiles first.
 //!
 //! Nothing here blocks: [`World::request`] notes a wish, [`World::poll`] starts what may start and hands over what has
 //! arrived. A tile that fails is tried again, later and later, and given up after [`ATTEMPTS`] with one line in the
@@ -12,7 +12,7 @@ use super::fetch::{Source, Spawner, join, now_s};
 use super::pmtiles::Archive;
 use super::sample::{Sample, Terrain, sample};
 use super::tile::{Layer, Projection, TileId};
-use super::{SharedTexels, TileTexels, terrarium, water};
+use super::{SharedTexels, TileTexels, imagery, terrarium, water};
 use crate::error::{Error, Result};
 use cache::Cache;
 use slot::{Opening, Slot};
@@ -67,7 +67,7 @@ enum Event {
     Over(usize, Range<u64>),
 }
 
-/// The six archives of a world: terrain and water, each for Mercator and the two poles.
+/// The archives of a world: terrain, water and perhaps imagery, each for Mercator and the two poles.
 pub struct World {
     slots: Vec<Slot>,
     /// Requests without an answer: how often each has been tried.
@@ -109,7 +109,13 @@ impl World {
         let (sender, receiver) = mpsc::channel();
         let maps = Layer::ALL.into_iter().flat_map(|layer| Projection::ALL.map(|projection| (layer, projection)));
         let mut world = Self {
-            slots: maps.map(|(layer, projection)| Slot::new(join(base, &archive_name(layer, projection)))).collect(),
+            slots: maps
+                .map(|(layer, projection)| {
+                    let name = join(base, &archive_name(layer, projection));
+                    // What may be missing is not opened before it is wanted.
+                    if layer == Layer::Imagery { Slot::unasked(name) } else { Slot::new(name) }
+                })
+                .collect(),
             pending: HashMap::new(),
             ready: BinaryHeap::new(),
             waiting: Vec::new(),
@@ -143,6 +149,7 @@ impl World {
         let now = now_s();
         self.given_up.retain(|_, until| *until > now);
         self.pending.insert(key, 0);
+        self.slots[slot_index(layer, id.projection)].ask();
         if let Some(texels) = self.cache.get(&key) {
             self.answer(key, Outcome::Tile(texels));
         } else if self.given_up.contains_key(&key) {
@@ -188,9 +195,14 @@ impl World {
         if all == 0 { 1.0 } else { self.done as f32 / all as f32 }
     }
 
-    /// Whether every archive has been opened or given up.
+    /// Whether every archive that has been asked for has been opened or given up.
     pub fn settled(&self) -> bool {
-        self.slots.iter().all(|slot| matches!(slot.opening, Opening::Open(_) | Opening::Failed(_)))
+        self.slots.iter().all(|slot| !matches!(slot.opening, Opening::At(_) | Opening::Started))
+    }
+
+    /// Whether the world has a layer on a map, as far as is known: its archive has not been given up.
+    pub fn has(&self, layer: Layer, projection: Projection) -> bool {
+        !matches!(self.slot(layer, projection).opening, Opening::Failed(_))
     }
 
     /// Why there is no world to show: an archive of the Mercator map that was given up.
@@ -199,7 +211,7 @@ impl World {
             Opening::Failed(why) => Some(why.clone()),
             _ => None,
         };
-        Layer::ALL.into_iter().find_map(given_up)
+        Layer::SHAPE.into_iter().find_map(given_up)
     }
 
     /// The deepest level of an archive, once it is open.
@@ -242,7 +254,7 @@ impl World {
     #[cfg(not(target_arch = "wasm32"))]
     pub fn sample_blocking(&mut self, lat: f64, lon: f64) -> Result<Sample> {
         let projection = Projection::for_latitude(lat);
-        for layer in Layer::ALL {
+        for layer in Layer::SHAPE {
             let slot = &mut self.slots[slot_index(layer, projection)];
             if slot.archive().is_none() {
                 slot.opening =
@@ -407,6 +419,7 @@ fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<
             TileTexels::Terrain(terrarium::decode(&what, bytes, encoding)?)
         }
         Layer::Water => TileTexels::Water(water::decode(&what, bytes)?),
+        Layer::Imagery => TileTexels::Imagery(imagery::decode(&what, bytes)?),
     };
     Ok(texels)
 }

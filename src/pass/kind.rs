@@ -42,6 +42,11 @@ impl Kind {
         }
     }
 
+    /// What a shader that shows the ground is told: also whether there is imagery of it.
+    pub fn ground_definitions(self, imagery: bool) -> String {
+        self.definitions() + &format!("const IMAGERY: bool = {imagery};\n")
+    }
+
     /// What a shader is told.
     pub fn definitions(self) -> String {
         let Self { measured, under_water, spray, fine, clouds } = self;
@@ -73,5 +78,26 @@ impl ByKind {
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         true
+    }
+}
+
+/// As [`ByKind`], for what shows the ground: without imagery of it, and with.
+pub struct ByGround([ByKind; 2]);
+
+impl ByGround {
+    /// The `pipeline` of each of some kinds, without imagery and with.
+    pub fn new<I: Iterator<Item = Kind>>(kinds: impl Fn() -> I, pipeline: impl Fn(Kind, bool) -> Drawing) -> Self {
+        Self([false, true].map(|imagery| ByKind::new(kinds(), |kind| pipeline(kind, imagery))))
+    }
+
+    /// Sets the pipeline of a kind, with imagery or without, with its bind groups; tells whether there is one.
+    pub fn set(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        (kind, imagery): (Kind, bool),
+        [frame, surface, imagery_group]: [&wgpu::BindGroup; 3],
+    ) -> bool {
+        pass.set_bind_group(2, imagery_group, &[]);
+        self.0[usize::from(imagery)].set(pass, kind, frame, surface)
     }
 }

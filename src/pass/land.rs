@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::kind::{ByKind, Kind};
+use super::kind::{ByGround, Kind};
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Depth, DepthTest};
@@ -21,14 +21,14 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader of a kind of picture.
-pub fn source(kind: Kind) -> String {
-    shader::composed(include_str!("../../shaders/land.wgsl"), &kind.definitions())
+/// The composed shader of a kind of picture, with imagery or without.
+pub fn source(kind: Kind, imagery: bool) -> String {
+    shader::composed(include_str!("../../shaders/land.wgsl"), &kind.ground_definitions(imagery))
 }
 
 /// The pass.
 pub struct Land {
-    pipelines: ByKind,
+    pipelines: ByGround,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
@@ -46,13 +46,8 @@ fn mesh() -> (Vec<[f32; 2]>, Vec<u32>) {
 }
 
 impl Land {
-    /// The pass into `colour` and `depth` formats; `frame` and `surface` are the layouts of bind groups 0 and 1.
-    pub fn new(
-        gpu: &Gpu,
-        frame: &wgpu::BindGroupLayout,
-        surface: &wgpu::BindGroupLayout,
-        [colour, depth]: [wgpu::TextureFormat; 2],
-    ) -> Self {
+    /// The pass into `colour` and `depth` formats; `groups` are the layouts of bind groups: frame, surface, imagery.
+    pub fn new(gpu: &Gpu, groups: [&wgpu::BindGroupLayout; 3], [colour, depth]: [wgpu::TextureFormat; 2]) -> Self {
         let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
         let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
         let layout = |array_stride: usize, step_mode, attributes| wgpu::VertexBufferLayout {
@@ -66,11 +61,11 @@ impl Land {
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
         let pipeline =
-            |kind| gpu.drawing("land", (&source(kind), "vertex"), &[frame, surface], &buffers, colour, depth);
+            |kind, imagery| gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth);
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: ByKind::new(Kind::all(), pipeline),
+            pipelines: ByGround::new(Kind::all, pipeline),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
@@ -93,9 +88,9 @@ impl Land {
         [self.count, self.count * (self.index_count / 3)]
     }
 
-    /// One draw.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: Kind, frame: &wgpu::BindGroup, surface: &wgpu::BindGroup) {
-        if !self.pipelines.set(pass, kind, frame, surface) {
+    /// One draw, of a kind and with imagery or without.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
+        if !self.pipelines.set(pass, kind, groups) {
             return;
         }
         pass.set_vertex_buffer(0, self.grid.slice(..));

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 fn archives() -> Vec<String> {
-    let maps = Layer::ALL.into_iter().flat_map(|layer| Projection::ALL.map(|map| archive_name(layer, map)));
+    let maps = Layer::SHAPE.into_iter().flat_map(|layer| Projection::ALL.map(|map| archive_name(layer, map)));
     maps.collect()
 }
 

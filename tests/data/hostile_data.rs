@@ -6,7 +6,7 @@ use ocean_globe::data::pmtiles::write::ArchiveWriter;
 use ocean_globe::data::pmtiles::{
     Archive, ByteSource, Entry, HEADER_BYTES, decode_directory, encode_directory, id_from_zxy, zxy_from_id,
 };
-use ocean_globe::data::{terrarium, water};
+use ocean_globe::data::{imagery, terrarium, water};
 use ocean_globe::error::Result;
 use proptest::prelude::*;
 use std::fs;
@@ -182,6 +182,50 @@ fn pictures_that_are_no_tiles_are_refused_with_the_reason() {
     assert!(error.contains("texel 77") && error.contains("class 4"), "{error}");
 }
 
+/// A JPEG of any size and colour, of one tone.
+fn jpeg(width: u16, height: u16, color: jpeg_encoder::ColorType, progressive: bool) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = jpeg_encoder::Encoder::new(&mut bytes, 90);
+    encoder.set_progressive(progressive);
+    let channels = if matches!(color, jpeg_encoder::ColorType::Luma) { 1 } else { 3 };
+    let texels = vec![77; usize::from(width) * usize::from(height) * channels];
+    encoder.encode(&texels, width, height, color).unwrap();
+    bytes
+}
+
+#[test]
+fn imagery_that_is_no_tile_is_refused_with_the_reason() {
+    use jpeg_encoder::ColorType::{Luma, Rgb};
+    let good = jpeg(256, 256, Rgb, false);
+    let grey = [77, 77, 77, 255];
+    for whole in [good.clone(), jpeg(256, 256, Rgb, true), jpeg(256, 256, Luma, false)] {
+        let texels = imagery::decode("tile", &whole).unwrap();
+        assert!(texels.len() == 65_536 && texels.iter().all(|texel| *texel == grey), "{:?}", texels[0]);
+    }
+    assert_eq!(
+        imagery::decode("tile", &png(256, png::ColorType::Rgb, png::BitDepth::Eight)).unwrap(),
+        vec![[0, 0, 0, 255]; 65_536]
+    );
+    // A frame that promises 65,535 rows and columns: its marker, length, depth, then the size.
+    let frame = good.windows(2).position(|two| two == [0xff, 0xc0]).unwrap();
+    let mut huge = good.clone();
+    huge[frame + 5..frame + 9].fill(0xff);
+    for (bytes, part) in [
+        (Vec::new(), "cannot be read as JPEG"),
+        (b"<html>not found</html>".to_vec(), "cannot be read as JPEG"),
+        (good[..good.len() / 2].to_vec(), "cannot be read as JPEG"),
+        (good[..3].to_vec(), "cannot be read as JPEG"),
+        (huge, "cannot be read as JPEG"),
+        (jpeg(255, 256, Rgb, false), "255 x 256"),
+        (jpeg(8, 8, Rgb, false), "8 x 8"),
+        (jpeg(512, 256, Rgb, false), "cannot be read as JPEG"),
+        (png(128, png::ColorType::Rgb, png::BitDepth::Eight), "128 x 128"),
+    ] {
+        let error = imagery::decode("tile 1/2/3", &bytes).map(|_| part).unwrap_err().to_string();
+        assert!(error.contains(part) && error.contains("tile 1/2/3") && error.contains("256 x 256"), "{error}");
+    }
+}
+
 #[test]
 fn elevations_survive_both_encodings() {
     let metres: Vec<f32> = (0..65_536).map(|i| (i as f32 - 40_000.0) * 0.25).collect();
@@ -215,6 +259,23 @@ proptest! {
             for (x, y) in [(0, 0), (3, 1), (7, 7)] {
                 let _ = pollster::block_on(archive.tile(3, x, y));
             }
+        }
+    }
+
+    #[test]
+    fn damaged_imagery_never_panics(
+        changes in prop::collection::vec((0usize..1200, any::<u8>()), 1..6),
+        keep in 0usize..4000,
+        progressive: bool,
+    ) {
+        let mut bytes = jpeg(256, 256, jpeg_encoder::ColorType::Rgb, progressive);
+        for (at, byte) in changes {
+            let at = at % bytes.len();
+            bytes[at] = byte;
+        }
+        bytes.truncate(keep.max(10));
+        if let Ok(texels) = imagery::decode("x", &bytes) {
+            prop_assert_eq!(texels.len(), 65_536);
         }
     }
 

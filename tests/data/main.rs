@@ -5,6 +5,7 @@ mod camera;
 mod cloud_area;
 mod coast;
 mod hostile_data;
+mod imagery;
 mod map_tiles;
 mod sample;
 mod serve;

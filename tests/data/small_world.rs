@@ -28,7 +28,7 @@ impl Drop for Folder {
 }
 
 /// The class of a place, as GMT numbers it.
-fn class(lat_deg: f64, lon_deg: f64) -> u8 {
+pub fn class(lat_deg: f64, lon_deg: f64) -> u8 {
     let within = |south: f64, north: f64, west: f64, east: f64| {
         (south..north).contains(&lat_deg) && (west..east).contains(&lon_deg)
     };
@@ -114,10 +114,20 @@ pub fn inputs(folder: &Path) -> [PathBuf; 2] {
 
 /// Bakes a mask and an elevation into a folder.
 pub fn run(mask: &Path, elevation: &Path, output: &Path) -> Result<()> {
-    bake(&BakeArgs {
-        elevation: elevation.into(),
+    bake(&BakeArgs { elevation: Some(elevation.into()), masks: vec![mask.into()], ..nothing(output) })
+}
+
+/// What makes imagery alone, of a picture, in a folder that holds a world.
+pub fn imagery(picture: &Path, output: &Path) -> BakeArgs {
+    BakeArgs { imagery: Some(picture.into()), ..nothing(output) }
+}
+
+fn nothing(output: &Path) -> BakeArgs {
+    BakeArgs {
+        elevation: None,
         elevation_east_deg: 0.0,
-        masks: vec![mask.into()],
+        masks: Vec::new(),
+        imagery: None,
         output: output.into(),
         water_zoom: 4,
         terrain_zoom: 2,
@@ -128,7 +138,12 @@ pub fn run(mask: &Path, elevation: &Path, output: &Path) -> Result<()> {
         worth_km2: vec![1.0],
         elevation_credit: "somebody's heights".into(),
         mask_credit: "somebody's coasts".into(),
-    })
+        imagery_zoom: 3,
+        imagery_full_zoom: 3,
+        imagery_worth: 0.0,
+        imagery_quality: 90,
+        imagery_credit: "somebody's colours".into(),
+    }
 }
 
 /// The small world, baked into a folder of its own.

@@ -54,8 +54,10 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("bloom_up.wgsl", bloom_up),
     ];
     for kind in Kind::all() {
-        all.push(("globe.wgsl", globe::source(kind)));
-        all.push(("land.wgsl", land::source(kind)));
+        for imagery in [true, false] {
+            all.push(("globe.wgsl", globe::source(kind, imagery)));
+            all.push(("land.wgsl", land::source(kind, imagery)));
+        }
         all.push(("sky.wgsl", sky::source(kind)));
     }
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
@@ -228,7 +230,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default());
+    let land = land::source(Kind::default(), true);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);
@@ -246,8 +248,9 @@ fn constants_are_equal_on_both_sides() {
     assert_eq!(constant(&ocean, "PAGE_WINDOW"), streaming::PAGE_WINDOW as f64);
     let bed = deep::source(deep::kinds().next().unwrap());
     assert_eq!(constant(&bed, "BED_SIDE"), ocean_globe::scene::frame::BED_SIDE_M);
+    assert_eq!(constant(&ocean, "PAGE_SLOT_BITS"), f64::from(streaming::PAGE_SLOT_BITS));
     assert_eq!(constant(&land, "GRID"), f64::from(land::GRID));
-    assert_eq!(constant(&globe::source(Kind::default()), "RIM"), f64::from(globe::RIM));
+    assert_eq!(constant(&globe::source(Kind::default(), true), "RIM"), f64::from(globe::RIM));
     let reflectance = optics::DEEP_REFLECTANCE.map(|share| f64::from(share as f32));
     assert_eq!(constants(&land, "OPEN_REFLECTANCE"), reflectance);
     assert_eq!(constant(&land, "OPAQUE_ALPHA"), f64::from(optics::OPAQUE_ALPHA as f32));
@@ -271,6 +274,7 @@ fn constants_are_equal_on_both_sides() {
         ("NORMAL", uniform::Output::Normal),
         ("CLASS", uniform::Output::Class),
         ("PERLIN_WEIGHT", uniform::Output::PerlinWeight),
+        ("ALBEDO", uniform::Output::Albedo),
     ] {
         assert_eq!(constant(&ocean, name), f64::from(output as u32), "{name}");
     }

@@ -7,6 +7,7 @@ mod edges;
 mod flight;
 mod hidden_window;
 mod horizon;
+mod imagery;
 mod light;
 mod luminance;
 mod meshes;

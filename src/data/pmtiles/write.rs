@@ -63,7 +63,7 @@ impl ArchiveWriter {
         Ok(())
     }
 
-    /// Writes the archive and puts it in place. Returns its size in bytes.
+    /// Writes the archive and puts it in place. Returns its size in bytes. Tiles are JPEG where the metadata's `format` is `jpg`, else PNG.
     ///
     /// # Errors
     /// [`Error::BadData`] without tiles, [`Error::Io`].
@@ -71,6 +71,7 @@ impl ArchiveWriter {
         let Some((levels, centre_zoom)) = self.levels() else {
             return Err(Error::bad_data(self.path.display().to_string(), "has no tiles", "add at least one"));
         };
+        let tile_type = if metadata["format"] == "jpg" { 3 } else { 2 };
         let (entries, order) = self.cluster();
         let (root, leaves) = pack_directories(&entries)?;
         let metadata = gzip(metadata.to_string().as_bytes())?;
@@ -92,8 +93,8 @@ impl ArchiveWriter {
         for count in [self.tiles.len() as u64, entries.len() as u64, order.len() as u64] {
             header.extend(count.to_le_bytes());
         }
-        // Clustered, gzip directories, tiles as they are, PNG; then bounds in 1e-7 degrees: the whole world.
-        header.extend([1, 2, 1, 2, levels.0, levels.1]);
+        // Clustered, gzip directories, tiles as they are, their type; then bounds in 1e-7 degrees: the whole world.
+        header.extend([1, 2, 1, tile_type, levels.0, levels.1]);
         [-1_800_000_000i32, -900_000_000, 1_800_000_000, 900_000_000]
             .iter()
             .for_each(|b| header.extend(b.to_le_bytes()));

@@ -5,7 +5,7 @@ mod page_table;
 mod residency;
 mod tile_range;
 
-pub use page_table::{PAGE_ENTRIES, PAGE_LEVELS, PAGE_WINDOW, PageTable};
+pub use page_table::{PAGE_ENTRIES, PAGE_LEVELS, PAGE_SLOT_BITS, PAGE_WINDOW, PageTable};
 pub use tile_range::{Range, TileRange};
 
 use super::SharedTexels;
@@ -13,7 +13,7 @@ use super::tile::{Layer, MapPoint, Projection, TileId};
 use super::world::{Outcome, World};
 use residency::Residency;
 
-/// Slots of each atlas; WebGPU promises 256 layers. Terrain 48 MiB, water 48 MiB.
+/// Slots of each atlas; WebGPU promises 256 layers. 48 MiB each.
 pub const ATLAS_SLOTS: u32 = 192;
 
 /// A tile that has come, for a slot of its layer's atlas.
@@ -26,13 +26,13 @@ pub struct Upload {
     pub texels: SharedTexels,
 }
 
-/// The tiles at hand of both layers.
+/// The tiles at hand of all layers.
 pub struct Streaming {
-    layers: [Residency; 2],
+    layers: [Residency; Layer::COUNT],
     frame: u64,
     changed: bool,
     /// Deepest levels of the archives by layer and map; 0 before they are open.
-    deepest: [[u8; 3]; 2],
+    deepest: [[u8; 3]; Layer::COUNT],
     /// Where shaders find the tiles.
     pub pages: PageTable,
 }
@@ -40,7 +40,7 @@ pub struct Streaming {
 impl Default for Streaming {
     fn default() -> Self {
         let layers = Layer::ALL.map(|layer| Residency::new(layer, ATLAS_SLOTS));
-        Self { layers, frame: 0, changed: true, deepest: [[0; 3]; 2], pages: PageTable::new() }
+        Self { layers, frame: 0, changed: true, deepest: [[0; 3]; Layer::COUNT], pages: PageTable::new() }
     }
 }
 
@@ -79,7 +79,12 @@ impl Streaming {
         for layer in Layer::ALL {
             let residency = &mut self.layers[layer as usize];
             let deepest = self.deepest[layer as usize].map(|z| z.min(PAGE_LEVELS as u8 - 1));
-            let there = wanted.iter().filter(|id| id.z <= deepest[id.projection as usize] && !residency.lacks(id));
+            // What a world may lack is not asked for again and again.
+            let exists = Projection::ALL.map(|map| layer != Layer::Imagery || world.has(layer, map));
+            let there = wanted.iter().filter(|id| {
+                let map = id.projection as usize;
+                exists[map] && id.z <= deepest[map] && !residency.lacks(id)
+            });
             // The coarse ones first; what the atlas cannot hold is shown through its parents.
             let there: Vec<TileId> = there.take(ATLAS_SLOTS as usize - 1).copied().collect();
             for id in there {

@@ -1,11 +1,12 @@
 //! Page tables: which slots of the atlases serve for a place, level by level, in windows around the eye.
 //!
 //! A level of a map has at most [`PAGE_WINDOW`]² entries: those of all its tiles, or of the tiles around the eye's own, each at its
-//! column and row modulo [`PAGE_WINDOW`]. An entry holds a word for terrain and one for water: the slot in the low 16 bits and the
-//! level of the tile in it in the high ones. Levels below the deepest tile at hand have no entries: shaders do not ask for them.
+//! column and row modulo [`PAGE_WINDOW`]. An entry holds 16 bits for each layer: the slot in the low 12 and the level of the tile in it in the
+//! high 4; terrain in the low half of the first word, water in its high half, imagery in the low half of the second one. Levels below the
+//! deepest tile at hand have no entries: shaders do not ask for them.
 
 use super::residency::Residency;
-use crate::data::tile::{MapPoint, Projection};
+use crate::data::tile::{Layer, MapPoint, Projection};
 
 /// Levels of the page tables; equals `PAGE_LEVELS` in `shaders/lib/world.wgsl`.
 pub const PAGE_LEVELS: usize = 12;
@@ -13,13 +14,16 @@ pub const PAGE_LEVELS: usize = 12;
 pub const PAGE_WINDOW: usize = 64;
 /// Entries of a level.
 pub const PAGE_ENTRIES: usize = PAGE_WINDOW * PAGE_WINDOW;
+/// Bits of a slot's number in an entry; the level of its tile has the other four of its 16. Equals `PAGE_SLOT_BITS` there.
+pub const PAGE_SLOT_BITS: u32 = 12;
+const _: () = assert!(super::ATLAS_SLOTS <= 1 << PAGE_SLOT_BITS && PAGE_LEVELS <= 16 && Layer::COUNT <= 4);
 
 /// First tiles of each level's window in each map.
 type Corners = [[[u32; 2]; PAGE_LEVELS]; 3];
 
 /// The tables of all maps and levels, and which of them the GPU has yet to get.
 pub struct PageTable {
-    /// By map, level, row and column: words of terrain and water.
+    /// By map, level, row and column: what serves for the layers.
     entries: Vec<[u32; 2]>,
     /// Tables (map · [`PAGE_LEVELS`] + level) that have changed since they were last taken.
     changed: Vec<usize>,
@@ -49,13 +53,14 @@ impl PageTable {
     }
 
     /// Brings the tables up to date with the eye's place (radians), and with the tiles where these have `changed`.
-    pub(super) fn update(&mut self, layers: &[Residency; 2], changed: bool, lat: f64, lon: f64) {
+    pub(super) fn update(&mut self, layers: &[Residency; Layer::COUNT], changed: bool, lat: f64, lon: f64) {
         let corners = corners(lat, lon);
         let last = self.corners.replace(corners);
         for (map, projection) in Projection::ALL.into_iter().enumerate() {
             let tiles = || {
-                let of = |layer: usize| layers[layer].slots().map(move |(id, slot)| (layer, id, slot));
-                of(0).chain(of(1)).filter(|(_, id, _)| id.projection == projection)
+                let all = layers.iter().enumerate();
+                let all = all.flat_map(|(layer, tiles)| tiles.slots().map(move |(id, slot)| (layer, id, slot)));
+                all.filter(|(_, id, _)| id.projection == projection)
             };
             if changed {
                 self.deepest[map] = tiles().map(|(_, id, _)| id.z).max().unwrap_or(0).min(PAGE_LEVELS as u8 - 1);
@@ -72,7 +77,7 @@ impl PageTable {
                 let mut table = self.inherited(map, z, corners[map][z]);
                 for (layer, id, slot) in tiles {
                     if in_window(z, corners[map][z], [id.x, id.y]) {
-                        table[place(id.x, id.y)][*layer] = slot | (z as u32) << 16;
+                        set(&mut table[place(id.x, id.y)], *layer, slot | (z as u32) << PAGE_SLOT_BITS);
                     }
                 }
                 let number = map * PAGE_LEVELS + z;
@@ -102,6 +107,13 @@ impl PageTable {
         }
         table
     }
+}
+
+/// Puts the 16 bits of a layer into an entry.
+fn set(entry: &mut [u32; 2], layer: usize, bits: u32) {
+    let shift = 16 * (layer as u32 % 2);
+    let word = &mut entry[layer / 2];
+    *word = *word & !(0xffff << shift) | bits << shift;
 }
 
 /// Where a tile's entry stands in its level's table.
@@ -144,18 +156,21 @@ mod tests {
     use std::sync::Arc;
 
     /// The entry's definition: the finest tile at hand over a tile.
-    fn wanted(slots: &[HashMap<TileId, u32>; 2], id: TileId) -> [u32; 2] {
-        let word = |slots: &HashMap<TileId, u32>| {
-            lineage(id).find_map(|tile| slots.get(&tile).map(|slot| slot | u32::from(tile.z) << 16)).unwrap_or(0)
+    fn wanted(slots: &[HashMap<TileId, u32>; Layer::COUNT], id: TileId) -> [u32; 2] {
+        let bits = |slots: &HashMap<TileId, u32>| {
+            lineage(id).find_map(|tile| slots.get(&tile).map(|slot| slot | u32::from(tile.z) << 12)).unwrap_or(0)
         };
-        [word(&slots[0]), word(&slots[1])]
+        [bits(&slots[0]) | bits(&slots[1]) << 16, bits(&slots[2])]
     }
 
     #[test]
     fn every_entry_names_the_finest_tile_at_hand_wherever_the_eye_goes() {
         let mut layers = Layer::ALL.map(|layer| Residency::new(layer, 64));
-        let texels =
-            [TileTexels::Terrain(vec![0.0; TILE_TEXELS * TILE_TEXELS]), TileTexels::Water(vec![[255; 4]; 65_536])];
+        let texels = [
+            TileTexels::Terrain(vec![0.0; TILE_TEXELS * TILE_TEXELS]),
+            TileTexels::Water(vec![[255; 4]; 65_536]),
+            TileTexels::Imagery(vec![[255; 4]; 65_536]),
+        ];
         let texels = texels.map(Arc::new);
         let mut pages = PageTable::new();
         let mut on_gpu = pages.entries.clone();
@@ -165,7 +180,7 @@ mod tests {
         let mut sent = 0;
         for (step, [lat, lon]) in places.map(|place| place.map(f64::to_radians)).into_iter().enumerate() {
             let here = MapPoint::from_lat_lon(lat, lon);
-            for (layer, deepest) in [(0, 5), (1, 9)] {
+            for (layer, deepest) in [(0, 5), (1, 9), (2, 4)] {
                 let come = lineage(here.tile(if step % 2 == 0 { deepest } else { 3 }));
                 for id in come.filter(|id| !layers[layer].slots().any(|(other, _)| other == *id)).collect::<Vec<_>>() {
                     layers[layer].receive(id, &texels[layer], 1).unwrap();

@@ -40,6 +40,8 @@ impl TileRange {
                 let steps = |at: usize| [i16::from(texels[at][0]) - i16::from(SHORE); 2];
                 (blocks(steps), 1.0 / STEPS_PER_TEXEL)
             }
+            // Nobody asks how bright a tile is.
+            TileTexels::Imagery(_) => (blocks(|_| [0; 2]), 1.0),
         };
         let mut levels = vec![finest];
         let mut side = TILE_TEXELS / BLOCK;

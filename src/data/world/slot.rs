@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 /// How far the opening has come.
 pub(super) enum Opening {
+    /// Nothing of it has been asked for yet; then it is opened, and may turn out not to exist.
+    Unasked,
     /// To be opened from this time on, seconds.
     At(f64),
     /// On its way.
@@ -23,11 +25,25 @@ pub(super) struct Slot {
     pub(super) name: String,
     pub(super) opening: Opening,
     tried: u32,
+    optional: bool,
 }
 
 impl Slot {
+    /// An archive that is opened at once.
     pub(super) fn new(name: String) -> Self {
-        Self { name, opening: Opening::At(f64::NEG_INFINITY), tried: 0 }
+        Self { name, opening: Opening::At(f64::NEG_INFINITY), tried: 0, optional: false }
+    }
+
+    /// An archive that a world may lack: it is opened when something of it is asked for, and not looked for again where there is none.
+    pub(super) fn unasked(name: String) -> Self {
+        Self { name, opening: Opening::Unasked, tried: 0, optional: true }
+    }
+
+    /// Something of the archive is asked for.
+    pub(super) fn ask(&mut self) {
+        if let Opening::Unasked = self.opening {
+            self.opening = Opening::At(f64::NEG_INFINITY);
+        }
     }
 
     /// The archive, once open.
@@ -52,6 +68,10 @@ impl Slot {
         self.tried += 1;
         self.opening = match result {
             Ok(archive) => Opening::Open(Arc::new(archive)),
+            Err(error) if self.optional && error.is_missing() => {
+                log::info!("the world goes without an archive: {error}");
+                Opening::Failed(error.to_string())
+            }
             Err(_) if self.tried < ATTEMPTS => Opening::At(now_s() + wait_s(self.tried)),
             Err(error) => {
                 log::warn!("an archive is given up: {error}");

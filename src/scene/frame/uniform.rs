@@ -63,6 +63,8 @@ pub enum Output {
     Class = 6,
     /// Weight of the Perlin field in the mix.
     PerlinWeight = 7,
+    /// Linear albedo of the ground, 0 where water covers it.
+    Albedo = 8,
 }
 
 /// Declares memory that Rust and the shaders share: a struct, its text in WGSL, and its members with their offsets, which a test

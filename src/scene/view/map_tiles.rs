@@ -126,18 +126,18 @@ impl Hiding {
 /// depend on the view alone: if what has come changed what is asked for, two sets of tiles could drive each other out for ever.
 pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<TileId> {
     refined(camera, size, |id, _, visibility, b| {
-        (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest_tiles(id.projection, tiles))
+        (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest_tiles(&Layer::ALL, id.projection, tiles))
     })
 }
 
-/// Deepest level of any layer's tiles.
-fn deepest_tiles(projection: Projection, tiles: &Streaming) -> u8 {
-    Layer::ALL.map(|layer| tiles.deepest(layer, projection)).into_iter().max().unwrap_or(0)
+/// Deepest level of the tiles of any of some layers.
+fn deepest_tiles(layers: &[Layer], projection: Projection, tiles: &Streaming) -> u8 {
+    layers.iter().map(|&layer| tiles.deepest(layer, projection)).max().unwrap_or(0)
 }
 
-/// Deepest level of the ground's mesh over what the archives hold.
+/// Deepest level of the ground's mesh over what the archives hold of its shape.
 pub fn deepest_mesh(projection: Projection, tiles: &Streaming) -> u8 {
-    (deepest_tiles(projection, tiles) + LEVELS_BELOW).min(DEEPEST_MESH)
+    (deepest_tiles(&Layer::SHAPE, projection, tiles) + LEVELS_BELOW).min(DEEPEST_MESH)
 }
 
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of

@@ -1,0 +1,88 @@
+// The colour of the land by the imagery tile that is at hand, and what is finer than it.
+#import ground_slope
+#import noise
+
+@group(2) @binding(0) var imagery_tiles: texture_2d_array<f32>;     // sRGB, read as linear
+
+// From a picture's linear values to albedo. Blue Marble's land is stretched so that dense forest is all but black and fresh snow white; this
+// curve brings surfaces to what satellites measure (MODIS, visible bands): rain forest of the Congo to 0.023, 0.041, 0.014 (of red, green, blue;
+// the picture's values are 0.004, 0.010, 0.002), fields of Germany to 0.056, 0.089, 0.028 (0.027, 0.048, 0.010), the Sahara to 0.51, 0.38, 0.22
+// (0.59, 0.39, 0.20), snow to 0.78 (1).
+const IMAGERY_SCALE: f32 = 0.76;
+const IMAGERY_POWER: f32 = 0.8;
+const IMAGERY_DARK = vec3f(0.014, 0.022, 0.009);
+
+// A texel of a level's whole map; see `texel` of lib/world.wgsl.
+fn imagery_texel(square: u32, level: u32, index: vec2u, tile: vec2u, page: Page) -> vec3f {
+    let own_tile = index >> vec2u(TILE_BITS);
+    var own = page;
+    if any(own_tile != tile) { own = page_of(pages[page_slot(square, level, own_tile)].y); }
+    let at = (index >> vec2u(level - min(own.level, level))) & vec2u(TILE_TEXELS - 1u);
+    return textureLoad(imagery_tiles, at, own.layer, 0).rgb;
+}
+
+// Three texels of a row, weighted.
+fn imagery_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, page: Page, weights: vec3f) -> vec3f {
+    return weights.x * imagery_texel(square, level, vec2u(columns.x, row), tile, page)
+        + weights.y * imagery_texel(square, level, vec2u(columns.y, row), tile, page)
+        + weights.z * imagery_texel(square, level, vec2u(columns.z, row), tile, page);
+}
+
+// Albedo as the tiles have it: a quadratic B-spline over nine texels, which shows no squares where texels are many pixels wide.
+fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
+    let page = pages_at(point, level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)))).imagery;
+    let shift = 24u - page.level;
+    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
+    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
+    let middle = point.at >> vec2u(shift);
+    let first = (middle - 1u) & mask;
+    let last = (middle + 1u) & mask;
+    let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
+    let columns = vec3u(first.x, middle.x, last.x);
+    let along = spline(t.x);
+    let down = spline(t.y);
+    let value = down.x * imagery_row(point.square, page.level, columns, first.y, tile, page, along)
+        + down.y * imagery_row(point.square, page.level, columns, middle.y, tile, page, along)
+        + down.z * imagery_row(point.square, page.level, columns, last.y, tile, page, along);
+    return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
+}
+
+// What is finer than any imagery here, from 5 km down to 1 m or what pixels hold: tones whose mean is none, of all and of the coarse half, and
+// the rise of small hills right and down on the map, as slopes of about one.
+struct Detail { tone: f32, coarse: f32, rise: vec2f }
+
+const VALLEY_MEAN: f32 = 0.1408;   // of the size of `map_noise_rise`, over the plane
+const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
+
+// Valleys, creased where the noise is none, between round hills; from 100 m on down patches of what grows and lies there. Each octave bends
+// the next, so that none shows its lattice. As in lib/waves.wgsl, the loop ends at its foot.
+fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
+    var detail = Detail(0.0, 0.0, vec2f(0.0));
+    var level = 13u;
+    var place = at;
+    loop {
+        let shown = 1.0 - smoothstep(0.25, 0.7, footprint * exp2(f32(level)) / EARTH_TURN);
+        let noise = map_noise_rise(place, level, level);
+        let is_hill = level < 20u;
+        let height = shown * select(noise.x, 0.9 * (abs(noise.x) - VALLEY_MEAN), is_hill);
+        detail.tone += height;
+        detail.coarse += select(0.0, height, is_hill);
+        detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
+        // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
+        place += bitcast<vec2u>(vec2i(WARP * noise.yz * f32(1u << (32u - level))));
+        level += 2u;
+        if level > 25u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
+    }
+    return detail;
+}
+
+// Albedo with detail, of the same mean: soil among plants, bare ground among snow.
+fn detailed_albedo(albedo: vec3f, detail: Detail) -> vec3f {
+    let green = saturate(3.0 * (albedo.g - 0.5 * (albedo.r + albedo.b)) / albedo.g);
+    let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
+    let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.90, 1.0), green) * (1.0 - 0.85 * whiteness);
+    // Odd in the tone, so that the mean stays none.
+    let tone = detail.tone / sqrt(1.0 + 0.8 * detail.tone * detail.tone);
+    let patches = 2.2 * whiteness * (1.0 - whiteness) * tone;
+    return max(albedo * (1.0 + tones * tone) + patches, vec3f(0.01));
+}
