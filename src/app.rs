@@ -21,14 +21,13 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use crate::data::fetch::now_s;
-use crate::data::sample::Sample;
 use crate::data::water::WaterClass;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::panel::{self, Action, Panel};
 use crate::renderer::Renderer;
 use crate::scene::settings::Settings;
-use crate::scene::view::camera::Camera;
+use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::flight::Flight;
 use crate::scene::view::inertia::Navigator;
 use crate::scene::view::named::View;
@@ -111,12 +110,17 @@ impl App {
         })
     }
 
-    /// Height of the ground or the resting water below the eye, metres, of the bed for an eye in the water; 0 while nobody knows.
+    /// Height of what the eye stays [`LOWEST_M`] above, metres: the ground or the resting water below it, for an eye in the water or at its surface
+    /// what lets it come near the bed. While nobody knows an eye stays where its link put it.
     fn ground_m(&mut self) -> f64 {
         let Camera { lat, lon, altitude_m, .. } = self.state.camera;
-        let sample = self.drawing.renderer.world_mut().sample_resident(lat, lon);
-        let solid = |sample: &Sample| sample.class != WaterClass::Ocean || altitude_m < 0.0;
-        sample.filter(solid).map_or(0.0, |sample| sample.elevation_m)
+        let in_water = altitude_m < 0.0 || (self.state.ride && altitude_m < LOWEST_M);
+        match self.drawing.renderer.world_mut().sample_resident(lat, lon) {
+            Some(sample) if sample.class != WaterClass::Ocean => sample.elevation_m,
+            Some(sample) if in_water => sample.elevation_m + OVER_BED_M - LOWEST_M,
+            None if in_water => altitude_m - LOWEST_M,
+            _ => 0.0,
+        }
     }
 
     /// Moves everything that moves on by some seconds. Returns the scene's time and whether the eye has more to go.

@@ -26,7 +26,7 @@ use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::Seas;
 use crate::scene::settings::{self, Settings};
-use crate::scene::view::camera::{Camera, LOWEST_M};
+use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
@@ -363,7 +363,7 @@ impl Renderer {
         let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
             self.seas.surface_height(&state.settings, &asked, unix_seconds) + LOWEST_M
         } else {
-            0.5 - depth_m
+            OVER_BED_M - depth_m
         };
         Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
     }

@@ -23,6 +23,9 @@ pub const FIELD_OF_VIEW_Y: f64 = PI / 4.0;
 /// Lowest altitude that the user can reach, metres over the ground or the sea.
 pub const LOWEST_M: f64 = 1.0;
 
+/// Lowest altitude over the bed of the sea, metres.
+pub const OVER_BED_M: f64 = 0.5;
+
 /// Highest altitude, metres.
 pub const HIGHEST_M: f64 = 4e7;
 
