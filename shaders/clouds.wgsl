@@ -9,12 +9,14 @@
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
-const SHORTEST_STEP: Metres = 160.0;
+const SHORTEST_STEP: Metres = 50.0;     // of an eye among clouds; from space steps are no shorter than the second
+const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
 const FINER = 4.0;                      // steps in a cloud, of those between
 const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
 const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
+const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 const CLOUD_OPACITY = 0.022;           // per metre, a deviation above the edge: what hides, not what darkens
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
@@ -59,7 +61,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
     let is_wide = GLOBE | (stretch.x * frame.pixel_angle > WIDE_PIXEL);
-    let from_space = length / clamp(ceil(length / max(SHORTEST_STEP, 0.3 * stretch.x * frame.pixel_angle)), 2.0, MOST_STEPS);
+    let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.x * frame.pixel_angle)), 2.0, MOST_STEPS);
     var veil = Veil(vec3f(0.0), 1.0);
     var way = 0.0;
     var t = stretch.x;
@@ -70,7 +72,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
-        let step = select(wide, wide / FINER, is_fine);
+        let step = min(select(wide, wide / FINER, is_fine), max(stretch.y - t, 0.0));
         // Wide steps are the same for all pixels.
         let sight = t + select(0.5, grain, is_fine) * step;
         let at = direction * sight;
@@ -79,7 +81,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * frame.pixel_angle, select(select(0.4, 0.28, is_fine) * step, max(0.6 * step, 120.0), is_lit));
+        let footprint = max(sight * frame.pixel_angle, select(select(select(0.8, 0.4, is_wide), 0.28, is_fine) * step, max(0.6 * step, 120.0), is_lit));
         let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
@@ -87,7 +89,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let opaque = cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds));
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         let is_cloud = shade >= FAINT;
-        let is_found = !is_wide & !is_fine & is_cloud;
+        let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_wide & is_cloud) {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
             let optical_depth = CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide) * over * cloud.share * cloud.excess + 60.0 * met_excess);

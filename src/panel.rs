@@ -3,6 +3,7 @@
 mod dial;
 pub mod sea;
 mod time;
+pub mod views;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -17,7 +18,7 @@ use crate::model::sea_state;
 use crate::scene::layers::Layer;
 use crate::scene::link::number::decimal;
 use crate::scene::settings::{Mesh, Settings, Water};
-use crate::scene::view::named::{VIEWS, View};
+use crate::scene::view::named::View;
 use crate::scene::view::state::ViewState;
 
 /// Width of the panel, points.
@@ -54,10 +55,10 @@ pub fn ground_colour() -> Color32 {
 }
 
 /// The panel's own state.
-#[derive(Debug)]
 pub struct Panel {
     shown: bool,
     open: bool,
+    views: views::Views,
     time: time::Editor,
     copied: bool,
     widgets: Widgets,
@@ -77,7 +78,8 @@ impl Widgets {
 impl Panel {
     /// The panel, shown or hidden.
     pub fn new(shown: bool) -> Self {
-        Self { shown, open: true, time: time::Editor::default(), copied: false, widgets: Widgets::default() }
+        let (views, time) = (views::Views::default(), time::Editor::default());
+        Self { shown, open: true, views, time, copied: false, widgets: Widgets::default() }
     }
 
     /// Whether the panel and the texts over the picture are shown.
@@ -172,7 +174,7 @@ impl Panel {
         self.wind(ui, &mut state.settings);
         status.figures.show(ui);
         ui.separator();
-        let action = self.views(ui);
+        let action = self.views.show(ui, &mut self.widgets);
         ui.separator();
         self.time.show(ui, state, status.now_s, &mut self.widgets);
         ui.separator();
@@ -208,20 +210,6 @@ impl Panel {
                 ui.weak(format!("wind from {:.0}°", settings.wind.from_deg));
             });
         });
-    }
-
-    fn views(&mut self, ui: &mut Ui) -> Option<Action> {
-        let mut action = None;
-        ui.horizontal_wrapped(|ui| {
-            for (view, name) in VIEWS.iter().zip(VIEW_WIDGETS) {
-                let button = ui.small_button(view.title);
-                self.widgets.note(name, &button);
-                if button.clicked() {
-                    action = Some(Action::Fly(view));
-                }
-            }
-        });
-        action
     }
 
     fn sea(&mut self, ui: &mut Ui, settings: &mut Settings) {
@@ -278,10 +266,6 @@ impl Panel {
         self.widgets.note("triangleBudget", &budget);
     }
 }
-
-/// Names of the views' buttons among the widgets, in the order of [`VIEWS`].
-const VIEW_WIDGETS: [&str; VIEWS.len()] =
-    ["viewGlobe", "viewOcean", "viewIslands", "viewCoast", "viewCalm", "viewBreeze", "viewGale", "viewHurricane"];
 
 /// Shows a number with at most so many decimals. egui's own limit would round the number itself, unasked.
 fn digits(decimals: i32) -> impl Fn(f64, RangeInclusive<usize>) -> String {

@@ -68,6 +68,8 @@ pub struct Measured {
 
 /// Longest side of a picture.
 const LARGEST: u32 = 8192;
+/// Of JPEGs, 1 to 100.
+const JPEG_QUALITY: u8 = 90;
 /// How long a render waits for tiles.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -212,6 +214,21 @@ pub fn write_png(path: &std::path::Path, size: [u32; 2], rgba: &[u8]) -> Result<
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(rgba));
+    written.map_err(|e| Error::bad_data(&name, e.to_string(), "report this"))?;
+    std::fs::write(path, bytes).map_err(|e| Error::io(name, e, "choose another place with -o"))
+}
+
+/// A JPEG of an RGBA picture, of a quality at which nothing is seen of it.
+///
+/// # Errors
+/// [`Error::Io`] or [`Error::BadData`] when it cannot be written.
+pub fn write_jpeg(path: &std::path::Path, size: [u32; 2], rgba: &[u8]) -> Result<()> {
+    let name = path.display().to_string();
+    let mut bytes = Vec::new();
+    // LARGEST is less than what 16 bits hold.
+    let [width, height] = size.map(|side| side as u16);
+    let encoder = jpeg_encoder::Encoder::new(&mut bytes, JPEG_QUALITY);
+    let written = encoder.encode(rgba, width, height, jpeg_encoder::ColorType::Rgba);
     written.map_err(|e| Error::bad_data(&name, e.to_string(), "report this"))?;
     std::fs::write(path, bytes).map_err(|e| Error::io(name, e, "choose another place with -o"))
 }

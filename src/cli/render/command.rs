@@ -1,19 +1,22 @@
 //! `ocean-globe render`: a picture, a measured layer or a flight's pictures.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::flight::{self, FlightArgs};
-use super::{LayerName, headless, measure, parse_size, parse_state, picture, write_npy, write_png};
+use super::{LayerName, headless, measure, parse_size, parse_state, picture, write_jpeg, write_npy, write_png};
 use crate::error::{Error, Result};
 use crate::renderer::Radiance;
+use crate::scene::view::named::{VIEWS, View};
+use crate::scene::view::state::ViewState;
 
 /// Draw a view into a PNG, a flight into numbered PNGs, or measure a view into a NumPy array.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   ocean-globe render --state '#view=38.5,-28.6,560,300,78&wind=12@240&time=2026-06-21T15:00:00Z' -o sea.png
-  ocean-globe render --state '#view=20,-30,2e7' --size 1024x1024 -o globe.png
+  ocean-globe render --state '#view=20,-30,2e7' --size 1024x1024 -o globe.jpg
+  ocean-globe render --views --size 320x180 -o views.jpg
   ocean-globe render --state '#view=38.5,-28.6,560,300,78' --layer depth -o depth.npy
   ocean-globe render --flight globe gale --frames 300 --size 1920x1080 -o flight
   ocean-globe render --flight '#view=28,-14,3e7&bft=8&time=2026-11-20T12:00:00Z&rate=0' '#view=28.8545,-13.792,2,253,80' -o dive
@@ -35,7 +38,10 @@ pub struct RenderArgs {
     /// What to write instead of the picture.
     #[arg(long, value_enum)]
     pub layer: Option<LayerName>,
-    /// The file to write: .png for a picture, .npy for a layer; of a flight the folder.
+    /// All named views, one below another, instead of one view.
+    #[arg(long, conflicts_with_all = ["state", "layer", "flight"])]
+    pub views: bool,
+    /// The file to write: .png or .jpg for a picture, .npy for a layer; of a flight the folder.
     #[arg(short, long)]
     pub output: PathBuf,
     /// The folder of the world's archives.
@@ -51,19 +57,31 @@ pub fn run(args: &RenderArgs) -> Result<()> {
     if let Some([from, to]) = args.flight.flight.as_deref() {
         return flight::run([from, to], &args.flight, &args.size, &args.output, &args.data);
     }
-    let (state, size) = (parse_state(&args.state)?, parse_size(&args.size)?);
-    let wanted = if args.layer.is_some() { "npy" } else { "png" };
-    if args.output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case(wanted)) {
-        return Err(Error::bad_value("output", args.output.display(), format!("name a file that ends in .{wanted}")));
+    let size = parse_size(&args.size)?;
+    let Some(layer) = args.layer else {
+        let states = if args.views { VIEWS.iter().map(View::state).collect() } else { vec![parse_state(&args.state)?] };
+        return pictures(&states, size, &args.output, &args.data);
+    };
+    let state = parse_state(&args.state)?;
+    is_named(&args.output, &["npy"])?;
+    let mut renderer = headless(&args.data, Radiance::Single)?;
+    write_npy(&args.output, &measure(&mut renderer, &state, size, layer)?)
+}
+
+/// Pictures of states, one below another, in a file.
+fn pictures(states: &[ViewState], size: [u32; 2], output: &Path, data: &str) -> Result<()> {
+    let write = if is_named(output, &["png", "jpg", "jpeg"])? == "png" { write_png } else { write_jpeg };
+    let mut renderer = headless(data, Radiance::Half)?;
+    let mut all = Vec::new();
+    for state in states {
+        all.extend(picture(&mut renderer, state, size)?);
     }
-    match args.layer {
-        None => {
-            let mut renderer = headless(&args.data, Radiance::Half)?;
-            write_png(&args.output, size, &picture(&mut renderer, &state, size)?)
-        }
-        Some(layer) => {
-            let mut renderer = headless(&args.data, Radiance::Single)?;
-            write_npy(&args.output, &measure(&mut renderer, &state, size, layer)?)
-        }
-    }
+    write(output, [size[0], size[1] * states.len() as u32], &all)
+}
+
+/// The ending of a file's name, which must be one of these.
+fn is_named<'a>(output: &Path, endings: &[&'a str]) -> Result<&'a str> {
+    let found = output.extension().and_then(|found| endings.iter().find(|ending| found.eq_ignore_ascii_case(ending)));
+    let wanted = || format!("name a file that ends in .{}", endings.join(" or ."));
+    found.copied().ok_or_else(|| Error::bad_value("output", output.display(), wanted()))
 }

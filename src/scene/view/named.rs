@@ -9,6 +9,8 @@ use crate::scene::view::state::ViewState;
 pub struct View {
     /// Short id, for files and links.
     pub id: &'static str,
+    /// Name of its button among the panel's widgets.
+    pub widget: &'static str,
     /// Title for people.
     pub title: &'static str,
     /// The state as a fragment.
@@ -17,39 +19,51 @@ pub struct View {
 
 /// All named views, from the highest to the lowest.
 pub const VIEWS: [View; 8] = [
-    View { id: "globe", title: "30,000 km", fragment: "view=16,-25,30000000&time=2026-11-20T14:20:00Z" },
+    View {
+        id: "globe",
+        widget: "viewGlobe",
+        title: "30,000 km",
+        fragment: "view=16,-25,30000000&time=2026-11-20T14:20:00Z",
+    },
     View {
         id: "ocean",
+        widget: "viewOcean",
         title: "3,000 km",
         fragment: "view=26,-21,3000000,180,18&clouds=0.35&time=2026-11-20T13:00:00Z",
     },
     View {
         id: "islands",
+        widget: "viewIslands",
         title: "30 km",
         fragment: "view=29.25,-13.78,30000,184,56&clouds=0.3&time=2026-11-26T12:30:00Z",
     },
     View {
         id: "coast",
+        widget: "viewCoast",
         title: "coast, 560 m",
         fragment: "view=28.8545,-13.792,560,253,71&clouds=0.2&time=2026-11-20T15:00:00Z",
     },
     View {
         id: "calm",
+        widget: "viewCalm",
         title: "calm",
         fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&clouds=0.3&time=2026-11-20T12:00:00Z",
     },
     View {
         id: "breeze",
+        widget: "viewBreeze",
         title: "breeze",
         fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&clouds=0.4&time=2026-11-20T12:00:00Z",
     },
     View {
         id: "gale",
+        widget: "viewGale",
         title: "gale",
         fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.5&time=2026-11-20T12:00:00Z",
     },
     View {
         id: "hurricane",
+        widget: "viewHurricane",
         title: "hurricane",
         fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&clouds=0.9&time=2026-11-20T12:00:00Z",
     },
