@@ -1,10 +1,10 @@
 //! A picture that the surface cuts through: the one from below is laid over the one from above where water stands before the lens.
 
+use super::kind::Kind;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, Drawing};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
-use crate::pass::kind::Kind;
 
 /// Cells of the grid over the picture, at whose corners the water's height is looked up.
 const CELLS: [u32; 2] = [128, 72];
