@@ -1,7 +1,7 @@
 // City lights over dark ground. `FROM_SPACE` is of src/pass/city_lights.rs: ground and what stands on it need not be looked at.
 #import spot
 #import spray
-#import world
+#import rugged
 
 const SPRAY = true;
 const MOST: f32 = 2.5;         // of a spot, as the display's tone takes it: a near lamp stands for many
@@ -18,9 +18,13 @@ fn vertex(@builtin(vertex_index) index: u32, @location(0) lamp: vec4f, @location
     var dry = 1.0;
     if !FROM_SPACE {
         let across = max(length(rest) * frame.pixel_angle, 100.0);
-        let ground = ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), across);
+        let point = map_point(dn);
+        let sin_lat = frame.sin_lat + sin_lat_delta(dn);
+        let ground = ground_at(point, sin_lat, across);
+        // As the ground's mesh holds it.
+        let made = made_relief(country_at(point, sin_lat), dn, sin_lat, ground, max(CELL_PIXELS * across, RELIEF_MESH_FOOTPRINT));
         dry = saturate(-ground.ocean_shore / max(across, SHORE));
-        local += up * (max(ground.elevation, 0.0) + POST);
+        local += up * (max(ground.elevation + made.height, 0.0) + POST);
     }
     let distance = max(length(local), 1.0);
     let direction = local / distance;

@@ -59,7 +59,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var light = daylight_at(dot(frame.light, up));
     if CLOUDS { light = clouded_daylight(light, rest, up, across); }
     let ground_across = ground_footprint(across, direction, up);
-    let lit = lit_ground(point, sin_lat, up, ground, ground_across, light);
+    let lit = lit_ground(point, sin_lat, up, ground, NO_RELIEF, ground_across, light);
 
     // Water that is seen, and how much of the pixel it fills.
     let ocean = ocean_share(ground, ground_across);

@@ -1,5 +1,5 @@
-// Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED` and `UNDER_WATER` are of
-// src/pass/kind.rs.
+// Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
+// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, of src/pass/land.rs.
 #import ground
 #import spray
 #import output
@@ -11,6 +11,8 @@ struct Vertex {
     @location(0) local: vec3f,
     @location(1) in_tile: vec2f,                       // 0…1 within the tile
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
+    @location(3) country: vec4f,                       // `Country`, as it stands
+    @location(4) ways: vec4f,
 }
 
 const GRID: f32 = 16.0;
@@ -33,17 +35,26 @@ fn vertex(in: Tile) -> Vertex {
     let point = tile_point(tile, inside);
     let dn = normal_delta_at(point);
     let up = dn + vec3f(0.0, 0.0, 1.0);
-    let spacing = texel_metres(point, f32(tile.y), frame.sin_lat + sin_lat_delta(dn)) * f32(TILE_TEXELS) / GRID;
-    var height = 0.0;
-    if abs(frame.sin_lat + sin_lat_delta(dn)) < 0.99999 {
-        height = ground_at(point, frame.sin_lat + sin_lat_delta(dn), spacing).elevation;
-    } else {
-        height = ground_at(point, frame.sin_lat, spacing).elevation;
+    // At a pole itself the ground is that of the eye's latitude.
+    let raw_sin_lat = frame.sin_lat + sin_lat_delta(dn);
+    let sin_lat = select(frame.sin_lat, raw_sin_lat, abs(raw_sin_lat) < 0.99999);
+    let spacing = texel_metres(point, f32(tile.y), raw_sin_lat) * f32(TILE_TEXELS) / GRID;
+    let rest = surface_from_normal_delta(dn);
+    let ground = ground_at(point, sin_lat, spacing);
+    var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
+    var made = NO_RELIEF;
+    // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
+    if RUGGED {
+        let held = max(spacing, CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
+        c = country_at(point, sin_lat);
+        made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
     }
+    var height = ground.elevation + made.height;
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
-    let local = surface_from_normal_delta(dn) + up * height;
-    return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile);
+    let local = rest + up * height;
+    return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
+        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out));
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -110,7 +121,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     var light = daylight_at(dot(frame.light, up));
     if CLOUDS { light = clouded_daylight(light, direction * distance, up, footprint); }
-    let lit = lit_ground(at.point, at.sin_lat, up, ground, footprint, light);
+    var made = NO_RELIEF;
+    if RUGGED {
+        let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
+        made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
+    }
+    let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light);
     var radiance = lit.radiance;
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light), lake_share(ground, footprint)); }
     if !sea_covers {
@@ -118,5 +134,5 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     let rest = surface_from_normal_delta(at.dn);
-    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
 }

@@ -27,7 +27,7 @@ use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::Seas;
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
-use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
+use crate::scene::view::map_tiles::{Hiding, drawn_tiles, rugged_m, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 
@@ -225,7 +225,8 @@ impl Renderer {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind), samples);
             }
             // Coarse tiles are far ones.
-            self.land.set_tiles(&self.gpu, tiles.iter().rev());
+            let streaming = &self.streaming;
+            self.land.set_tiles(&self.gpu, tiles.iter().rev().map(|id| (*id, rugged_m(*id, streaming).is_some())));
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

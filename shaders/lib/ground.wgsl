@@ -1,13 +1,15 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs).
 #import ground_colour
-#import ground_slope
 #import imagery
+#import rugged
 #import shore_pixels
 #import water
 
 const BEACH: Metres = 50.0;     // how wide beaches are
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
+
+const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
 fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
@@ -20,13 +22,12 @@ fn east_at(up: vec3f) -> vec3f {
 
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f }
 
-fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprint: Metres, light: Daylight) -> LitGround {
+fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Made, footprint: Metres, light: Daylight) -> LitGround {
     let east = east_at(up);
     let north = cross(up, east);
     let terrain = terrain_slope(point, sin_lat, footprint);
-    let slope = slope_shown(ground) * terrain;
-    // Relief is drawn 1.5 times as steep, as on shaded maps: 5' data are smoother than the land.
-    let normal = normalize(up - 1.5 * (slope.x * east + slope.y * north));
+    let slope = slope_shown(ground) * terrain + made.slope;
+    let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
     let is_bed = ocean_share(ground, footprint) >= 1.0;
     var albedo: vec3f;
@@ -40,8 +41,8 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprin
         if FINE {
             let detail = ground_detail(point.at, footprint);
             albedo = detailed_albedo(albedo, detail);
-            // Hills are as rough as the ground about them is steep.
-            let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed);
+            // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
+            let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
             let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
             shaded = normalize(normal - hills.x * east - hills.y * north);
             // Rock stands out where it is steep, more of it on this slope than on that.
@@ -51,13 +52,14 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, footprin
             beach = max(beach * smoothstep(-0.3, 0.5, detail.coarse + 0.3 * detail.tone), 1.0);
         }
     } else {
-        albedo = natural_colour(ground.elevation, length(slope), sin_lat, patchiness(point.at, footprint));
+        albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
     }
     if is_bed { albedo = bed_colour(-ground.elevation); }
     albedo = mix(albedo, sand, smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
         * select(saturate(beach / footprint), 0.0, is_bed));
     let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
-    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up));
+    // Valleys see less of the sky.
+    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0));
     return LitGround(normal, albedo, albedo / PI * (sun + ambient));
 }
 

@@ -13,16 +13,17 @@ fn east_north_of(point: MapPoint, way: vec2f) -> vec2f {
 fn spline(t: f32) -> vec3f { return vec3f(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)); }
 fn spline_rise(t: f32) -> vec3f { return vec3f(t - 0.5, -2.0 * t, t + 0.5); }
 
-// Elevations of three texels of a row.
-fn terrain_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, page: Page) -> vec3f {
-    return vec3f(texel(false, square, level, vec2u(columns.x, row), tile, page).x,
-        texel(false, square, level, vec2u(columns.y, row), tile, page).x,
-        texel(false, square, level, vec2u(columns.z, row), tile, page).x);
+// Elevations of three texels of a row, or distances to the ocean's shore.
+fn texel_row(water: bool, square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, page: Page) -> vec3f {
+    return vec3f(texel(water, square, level, vec2u(columns.x, row), tile, page).x,
+        texel(water, square, level, vec2u(columns.y, row), tile, page).x,
+        texel(water, square, level, vec2u(columns.z, row), tile, page).x);
 }
 
-// Rise of the terrain tiles' elevation right and down on the map, metres a texel of the page: that of a quadratic B-spline over them, which
-// has no creases.
-fn terrain_rise(point: MapPoint, page: Page) -> vec2f {
+// The nine texels of a page around a place, by rows, and where in the middle one it is, from -1/2 to 1/2.
+struct Neighbours { rows: mat3x3f, t: vec2f }
+
+fn neighbours(water: bool, point: MapPoint, page: Page) -> Neighbours {
     let shift = 24u - page.level;
     let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
     let mask = vec2u((TILE_TEXELS << page.level) - 1u);
@@ -31,10 +32,16 @@ fn terrain_rise(point: MapPoint, page: Page) -> vec2f {
     let last = (middle + 1u) & mask;
     let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
     let columns = vec3u(first.x, middle.x, last.x);
-    let rows = mat3x3f(terrain_row(point.square, page.level, columns, first.y, tile, page),
-        terrain_row(point.square, page.level, columns, middle.y, tile, page),
-        terrain_row(point.square, page.level, columns, last.y, tile, page));
-    return vec2f(dot(spline_rise(t.x) * rows, spline(t.y)), dot(spline(t.x) * rows, spline_rise(t.y)));
+    return Neighbours(mat3x3f(texel_row(water, point.square, page.level, columns, first.y, tile, page),
+        texel_row(water, point.square, page.level, columns, middle.y, tile, page),
+        texel_row(water, point.square, page.level, columns, last.y, tile, page)), t);
+}
+
+// Rise of the terrain tiles' elevation right and down on the map, metres a texel of the page: that of a quadratic B-spline over them, which
+// has no creases.
+fn terrain_rise(point: MapPoint, page: Page) -> vec2f {
+    let n = neighbours(false, point, page);
+    return vec2f(dot(spline_rise(n.t.x) * n.rows, spline(n.t.y)), dot(spline(n.t.x) * n.rows, spline_rise(n.t.y)));
 }
 
 // Slope of the terrain's tiles at a point: metres per metre east and north.

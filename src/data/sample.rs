@@ -9,13 +9,20 @@ use super::tile::{
 use super::water::{SATURATION_TEXELS, WaterClass, distance_from_byte};
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
+use crate::model::earth;
+use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
+use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::shaped_elevation;
 
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Sample {
-    /// Elevation of the ground over the rest surface of the sea, metres; shaped so that it meets the sharp coast.
+    /// Elevation of the ground over the rest surface of the sea as it is drawn, metres: the next two together.
     pub elevation_m: f64,
+    /// What the data say of it, shaped so that it meets the sharp coast.
+    pub elevation_measured_m: f64,
+    /// What is made up for the data's coarseness, see [`crate::model::relief`]; on dry land alone.
+    pub relief_made_m: f64,
     /// Depth of the resting ocean, metres; `None` outside of it (the depth of lakes is not known).
     pub depth_m: Option<f64>,
     /// What covers the ground.
@@ -67,6 +74,8 @@ pub fn sample(
         let class = if raw_m < 0.0 { WaterClass::Ocean } else { WaterClass::Land };
         return Ok(Some(Sample {
             elevation_m: raw_m,
+            elevation_measured_m: raw_m,
+            relief_made_m: 0.0,
             depth_m: (raw_m < 0.0).then_some(-raw_m),
             class,
             shore_distance_m: None,
@@ -87,9 +96,18 @@ pub fn sample(
             _ => WaterClass::Land,
         }
     };
-    let elevation_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    let elevation_measured_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    let relief_made_m = if matches!(class, WaterClass::Land | WaterClass::Island) {
+        let shores = Shores { ocean_m, lake_m };
+        map.relief(point, [terrain.deepest, water_level], (lat, lon), elevation_measured_m, shores)?
+    } else {
+        0.0
+    };
+    let elevation_m = elevation_measured_m + relief_made_m;
     Ok(Some(Sample {
         elevation_m,
+        elevation_measured_m,
+        relief_made_m,
         depth_m: (class == WaterClass::Ocean).then_some(-elevation_m),
         class,
         shore_distance_m: map.known(ocean_m, lat),
@@ -152,6 +170,52 @@ impl Map<'_, '_> {
     fn known(&self, distance_m: f64, lat: f64) -> Option<f64> {
         let reach_m = (SATURATION_TEXELS - 0.1) * texel_size_m(self.projection, 0, lat);
         (distance_m.abs() < reach_m).then_some(distance_m)
+    }
+
+    /// The made relief of dry ground at the position, metres; see [`crate::model::rugged`].
+    fn relief(
+        &mut self,
+        point: MapPoint,
+        [terrain, water]: [u8; 2],
+        (lat, lon): (f64, f64),
+        elevation_m: f64,
+        shores: Shores,
+    ) -> Result<f64> {
+        let sin_lat = libm::sin(lat);
+        let fade = rugged::fade(sin_lat, shores);
+        let [coarsest, level] = [rugged::ISLAND_LEVEL, rugged::LEVEL].map(|z| z.min(terrain));
+        let Some((z, _)) = self.deepest(Layer::Terrain, point, level)? else { return Ok(0.0) };
+        let Some((shore_z, _)) = self.deepest(Layer::Water, point, rugged::SHORE_LEVEL.min(water))? else {
+            return Ok(0.0);
+        };
+        let texel_m = |z| texel_size_m(self.projection, z, lat);
+        let [data_m, shore_m, coarse_m] = [z, shore_z, coarsest].map(texel_m);
+        let (metres, t) = self.neighbours(Layer::Terrain, z)?;
+        let data = Around::of(metres, t);
+        let (metres, t) = self.neighbours(Layer::Water, shore_z)?;
+        let inland = Around::any(metres.map(|row| row.map(|ocean_m| -ocean_m)), t);
+        let mean_m = self.bilinear(Layer::Terrain, coarsest, self.at)?.unwrap_or_default()[0];
+        let (lift_m, rise) = rugged::lift(rugged::oceanic(mean_m, coarse_m), inland.mean_m, elevation_m);
+        let lift_m = fade * lift_m;
+        let strength_m = fade * rugged::strength_m(data, data_m, sin_lat, [elevation_m + lift_m, lift_m]);
+        let (up, axes) = (earth::normal(lat, lon), earth::ecef_from_enu(lat, lon));
+        let way = |rise_m: [f64; 2], texel_m: f64| self.projection.east_north(rise_m, lon) / texel_m;
+        let slope = way(data.rise_m, data_m) + fade * rise * way(inland.rise_m, shore_m);
+        let found = relief(relief::place(up), up, axes * slope.extend(0.0), strength_m, MESH_FOOTPRINT_M);
+        Ok(lift_m + rugged::bounded(elevation_m + lift_m, found.height_m).0)
+    }
+
+    /// The nine texels around the position, by rows, and where in the middle one it is, -1/2 to 1/2.
+    fn neighbours(&mut self, layer: Layer, z: u8) -> Result<([[f64; 3]; 3], [f64; 2])> {
+        let place = [self.at.0, self.at.1].map(|x| x * texels_across(z));
+        let [column, row] = place.map(|x| x.floor() as i64);
+        let mut texels = [[0.0; 3]; 3];
+        for (texels, j) in texels.iter_mut().zip(-1..) {
+            for (texel, i) in texels.iter_mut().zip(-1..) {
+                *texel = self.texel(layer, z, column + i, row + j)?.unwrap_or_default()[0];
+            }
+        }
+        Ok((texels, place.map(|x| x - x.floor() - 0.5)))
     }
 
     fn bilinear(&mut self, layer: Layer, z: u8, (x, y): (f64, f64)) -> Result<Option<[f64; 2]>> {

@@ -13,6 +13,8 @@
 
 use std::f64::consts::PI;
 
+use glam::DVec2;
+
 /// Texels along one side of a tile.
 pub const TILE_TEXELS: usize = 256;
 /// The deepest level that an address may have: one texel is then a step of 2^-24 of the map.
@@ -52,6 +54,18 @@ impl Projection {
             Self::South
         } else {
             Self::Mercator
+        }
+    }
+
+    /// A way on the map, to the right and down, as one to the east and north at longitude `lon` (radians): the same on Mercator's map, on
+    /// a polar one turned with the longitude.
+    pub fn east_north(self, [right, down]: [f64; 2], lon: f64) -> DVec2 {
+        let way = DVec2::new(right, -down);
+        let out = DVec2::new(libm::cos(lon), libm::sin(lon));
+        match self {
+            Self::Mercator => way,
+            Self::North => DVec2::new(way.dot(out.perp()), -way.dot(out)),
+            Self::South => DVec2::new(way.dot(out.perp()), way.dot(out)),
         }
     }
 

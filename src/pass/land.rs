@@ -10,7 +10,7 @@ use crate::gpu::{Gpu, shader};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
 pub const GRID: u32 = 16;
-const MOST_TILES: usize = 512;
+const MOST_TILES: usize = 1_024;
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -21,20 +21,22 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader of a kind of picture, with imagery or without.
-pub fn source(kind: Kind, imagery: bool) -> String {
-    shader::composed(include_str!("../../shaders/land.wgsl"), &kind.ground_definitions(imagery))
+/// The composed shader of a kind of picture, with imagery or without, of ground with relief that the data do not hold or without.
+pub fn source(kind: Kind, imagery: bool, rugged: bool) -> String {
+    let definitions = kind.ground_definitions(imagery) + &format!("const RUGGED: bool = {rugged};\n");
+    shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
 }
 
 /// The pass.
 pub struct Land {
-    pipelines: ByGround,
+    /// Of ground without relief of its own, and with.
+    pipelines: [ByGround; 2],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
     instances: wgpu::Buffer,
-    /// Tiles of the next draw.
-    count: u32,
+    /// Tiles of the next draw, without relief of their own and with; the latter come first.
+    counts: [u32; 2],
 }
 
 /// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
@@ -60,42 +62,56 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipeline =
-            |kind, imagery| gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth);
+        let pipelines = |rugged| {
+            let source = |kind, imagery| source(kind, imagery, rugged);
+            ByGround::new(Kind::all, |kind, imagery| {
+                gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
+            })
+        };
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: ByGround::new(Kind::all, pipeline),
+            pipelines: [false, true].map(pipelines),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
-            count: 0,
+            counts: [0; 2],
         }
     }
 
-    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides.
-    pub fn set_tiles<'a>(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = &'a TileId>) {
-        let instance =
-            |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
-        let instances: Vec<Instance> = tiles.take(MOST_TILES).map(instance).collect();
+    /// Sets the tiles of the next draw, and whether each has relief of its own; what comes first should be near: it spares the shading of
+    /// what it hides.
+    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = (TileId, bool)>) {
+        let (rugged, plain): (Vec<_>, Vec<_>) = tiles.take(MOST_TILES).partition(|(_, rugged)| *rugged);
+        let instance = |(id, _): &(TileId, bool)| Instance {
+            square: id.projection as u32,
+            level: u32::from(id.z),
+            x: id.x,
+            y: id.y,
+        };
+        let instances: Vec<Instance> = rugged.iter().chain(&plain).map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.count = instances.len() as u32;
+        self.counts = [plain.len() as u32, rugged.len() as u32];
     }
 
     /// Tiles and triangles of the next draw.
     pub fn counts(&self) -> [u32; 2] {
-        [self.count, self.count * (self.index_count / 3)]
+        let [plain, rugged] = self.counts;
+        [plain + rugged, (plain + rugged) * (self.index_count / 3)]
     }
 
-    /// One draw, of a kind and with imagery or without.
+    /// Its one or two draws, of a kind and with imagery or without.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
-        if !self.pipelines.set(pass, kind, groups) {
-            return;
+        let [plain, rugged] = self.counts;
+        for (pipelines, tiles) in self.pipelines.iter().rev().zip([0..rugged, rugged..rugged + plain]) {
+            if tiles.is_empty() || !pipelines.set(pass, kind, groups) {
+                continue;
+            }
+            pass.set_vertex_buffer(0, self.grid.slice(..));
+            pass.set_vertex_buffer(1, self.instances.slice(..));
+            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..self.index_count, 0, tiles);
         }
-        pass.set_vertex_buffer(0, self.grid.slice(..));
-        pass.set_vertex_buffer(1, self.instances.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..self.count);
     }
 }

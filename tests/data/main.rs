@@ -7,6 +7,7 @@ mod coast;
 mod hostile_data;
 mod imagery;
 mod map_tiles;
+mod relief;
 mod sample;
 mod serve;
 mod small_world;

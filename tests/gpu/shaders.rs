@@ -56,7 +56,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
-            all.push(("land.wgsl", land::source(kind, imagery)));
+            all.extend([false, true].map(|rugged| ("land.wgsl", land::source(kind, imagery, rugged))));
         }
         all.push(("sky.wgsl", sky::source(kind)));
     }
@@ -230,7 +230,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), true);
+    let land = land::source(Kind::default(), true, true);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);

@@ -1,15 +1,15 @@
 //! The relief that shades the land, against the elevations that it stands for.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use ocean_globe::cli::render::{self, LayerName, headless, parse_state};
+use ocean_globe::data::tile::Projection;
 use ocean_globe::data::world::World;
-use ocean_globe::model::earth::WGS84;
+use ocean_globe::model::earth::{self, Geodetic, WGS84};
 use ocean_globe::renderer::Radiance;
+use ocean_globe::scene::view::camera::Camera;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [48, 48];
-/// Relief is drawn so much steeper than it is (`shaders/land.wgsl`).
-const STEEPER: f64 = 1.5;
 /// Half the way over which a slope is taken from the elevations, m: half a texel of the deepest terrain tiles, about. A quadratic B-spline
 /// rises at a place by what the texels, joined by straight lines, rise from half a texel before it to half a texel behind.
 const STEP_M: f64 = 2_250.0;
@@ -17,39 +17,102 @@ const STEP_M: f64 = 2_250.0;
 /// Mountains in each of the map's squares, at longitudes all round the pole.
 const MOUNTAINS: [&str; 6] = ["-33,-70", "46,8", "-84.9,-165", "-85.6,-80", "-86.3,-150", "-84.6,165"];
 
+/// Slope east and north at a place of a normal along the axes of the eye.
+fn slope_of(normal: DVec3, eye: &Camera, [lat, lon]: [f64; 2]) -> DVec2 {
+    let up = earth::ecef_from_enu(lat, lon).transpose() * (earth::ecef_from_enu(eye.lat, eye.lon) * normal);
+    DVec2::new(-up.x, -up.y) / up.z
+}
+
 #[test]
 fn slopes_are_those_of_the_ground_to_the_east_and_north() {
     let mut renderer = headless(DATA, Radiance::Single).unwrap();
     let mut world = World::open(DATA);
     for place in MOUNTAINS {
-        let state = parse_state(&format!("#view={place},40000&clouds=0&time=2026-12-21T12:00:00Z")).unwrap();
+        // Pixels of 4 km show what the data tell, and nothing of what is made up between them.
+        let state = parse_state(&format!("#view={place},235000&clouds=0&time=2026-12-21T12:00:00Z")).unwrap();
         let mut measured = |layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values;
         let (places, normals) = (measured(LayerName::Lonlat), measured(LayerName::Normal));
-        let (mut products, mut drawn_power, mut true_power) = (0.0, 0.0, 0.0);
+        let (mut products, mut drawn_power, mut true_power, mut counted) = (0.0, 0.0, 0.0, 0);
         for (place, normal) in places.chunks_exact(2).zip(normals.chunks_exact(3)) {
             let (lat, lon) = (place[1].to_radians(), place[0].to_radians());
+            // Mercator's texels are a kilometre wide at the end of its square: the step is too long for them.
+            if Projection::for_latitude(lat) != Projection::for_latitude(state.camera.lat) {
+                continue;
+            }
+            counted += 1;
             let mut elevation = |north: f64, east: f64| {
                 let (lat, lon) = (lat + north / WGS84.a, lon + east / (WGS84.a * lat.cos()));
-                world.sample_blocking(lat, lon).unwrap().elevation_m
+                world.sample_blocking(lat, lon).unwrap().elevation_measured_m
             };
             let rise = DVec2::new(
                 elevation(0.0, STEP_M) - elevation(0.0, -STEP_M),
                 elevation(STEP_M, 0.0) - elevation(-STEP_M, 0.0),
             );
             let slope = rise / (2.0 * STEP_M);
-            // Normals are those of the eye's axes: the ground's own up leans away by its distance from the eye's foot.
-            let away = DVec2::new((lon - state.camera.lon) * lat.cos(), lat - state.camera.lat);
-            let drawn = (away - DVec2::new(normal[0], normal[1]) / normal[2]) / STEEPER;
+            let drawn = slope_of(DVec3::from_slice(normal), &state.camera, [lat, lon]);
             products += drawn.dot(slope);
             drawn_power += drawn.length_squared();
             true_power += slope.length_squared();
         }
         let (alike, size) = (products / (drawn_power * true_power).sqrt(), (drawn_power / true_power).sqrt());
-        let steepness = (true_power / f64::from(SIZE[0] * SIZE[1])).sqrt();
+        let steepness = (true_power / f64::from(counted)).sqrt();
         println!("{place}: slopes of {steepness:.4} are drawn {size:.3} times as steep, correlation {alike:.4}");
         assert!(steepness > 0.005, "{place}: {steepness} is no mountain");
-        // The spline smooths across the slope as well, and polar texels are narrower than the step: some hundredths. The eye's axes are
-        // turned against the pixel's by up to 3°, a twentieth. Axes of the map taken for east and north turn them by the longitude.
+        assert!(counted > 1_000, "{place}: only {counted} places");
+        // The spline smooths across the slope as well, and polar texels are narrower than the step: some hundredths. Axes of the map taken
+        // for east and north turn them by the longitude.
         assert!(alike > 0.98 && (0.95..1.1).contains(&size), "{place}: {alike}, {size}");
+    }
+}
+
+/// Mountains and islands, places over which the eye stands, and its height over the ground there, metres.
+const MADE: [[f64; 2]; 5] = [[46.52, 8.05], [-17.6, -149.5], [61.3, 7.0], [27.95, 86.8], [38.46, -28.40]];
+
+#[test]
+fn the_ground_that_is_drawn_is_the_one_that_is_sampled_from_any_eye() {
+    let mut renderer = headless(DATA, Radiance::Single).unwrap();
+    let mut world = World::open(DATA);
+    for [lat_deg, lon_deg] in MADE {
+        let ground_m = world.sample_blocking(lat_deg.to_radians(), lon_deg.to_radians()).unwrap().elevation_m;
+        // Pixels of 8 to 9 m beneath the eye: finer waves are not in a sample. The second eye stands 150 m to the side, the third lower and
+        // aslant.
+        for (north, over_m, tilt) in [(0.0, 480.0, 0.0), (0.0015, 480.0, 0.0), (-0.003, 350.0, 30.0)] {
+            let view = format!("{},{lon_deg},{},0,{tilt}", lat_deg + north, ground_m + over_m);
+            let state = parse_state(&format!("#view={view}&time=2026-06-21T12:00:00Z")).unwrap();
+            let mut measured = |layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values;
+            let (places, heights) = (measured(LayerName::Lonlat), measured(LayerName::Height));
+            let eye = renderer.eye(&state, 0.0);
+            let extent = DVec2::from(SIZE.map(f64::from));
+            let (mut worst, mut off, mut sum, mut made, mut seen) = (0.0f64, Vec::new(), 0.0, 0.0f64, 0);
+            for (index, (place, height)) in places.chunks_exact(2).zip(&heights).enumerate() {
+                let pixel = DVec2::new((index % 48) as f64 + 0.5, (index / 48) as f64 + 0.5);
+                let (lat, lon) = (place[1].to_radians(), place[0].to_radians());
+                let sample = world.sample_blocking(lat, lon).unwrap();
+                let distance_m = (WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: sample.elevation_m })
+                    - eye.eye_ecef())
+                .length();
+                // Farther pixels are wider, and show less than a sample holds.
+                if sample.depth_m.is_some() || distance_m > 560.0 {
+                    continue;
+                }
+                let error = (sample.elevation_m - height).abs();
+                (worst, sum, made, seen) =
+                    (worst.max(error), sum + error, made.max(sample.relief_made_m.abs()), seen + 1);
+                let at = Geodetic { lat, lon, height: sample.elevation_m };
+                off.extend(eye.project(at, extent).map(|at| at.distance(pixel)));
+            }
+            off.sort_by(f64::total_cmp);
+            let off = off.get(off.len() * 9 / 10).copied().unwrap_or(f64::MAX);
+            let mean = sum / f64::from(seen.max(1));
+            println!(
+                "{view}: {seen} pixels, {made:.0} m made, off by {mean:.2} m in the mean and {worst:.2} m at most, drawn {off:.2} pixels off"
+            );
+            assert!(seen > 100 && made > 20.0, "{view}: {seen} pixels, {made} m made");
+            // Pixels interpolate the data's slope, which turns the gullies a little: tenths of a metre in the mean.
+            assert!(mean < 0.5 && worst < 3.0, "{view}: {mean}, {worst}");
+            // Cells are 8 to 16 pixels wide, and gullies of less than four cells are seen as shading alone: 30 m of height, which is two
+            // pixels of 8 m at the picture's edge and three aslant.
+            assert!(off < 3.5, "{view}: {off} pixels");
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::data::tile::TILE_TEXELS;
 use crate::data::water::{SHORE, STEPS_PER_TEXEL};
 
 /// Texels along a side of the smallest block.
-const BLOCK: usize = 4;
+const BLOCK: usize = 2;
 
 /// Least and greatest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ impl Range {
     }
 }
 
-/// A pyramid over one tile: of blocks of 4 x 4 texels, of 8 x 8, and so on to the whole tile.
+/// A pyramid over one tile: of blocks of 2 x 2 texels, of 4 x 4, and so on to the whole tile.
 pub struct TileRange {
     /// Least and greatest in steps, rounded outwards; row by row, the finest level first.
     levels: Vec<Vec<[i16; 2]>>,

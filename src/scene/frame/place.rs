@@ -4,6 +4,7 @@ use glam::{DMat3, DVec2, DVec3, Mat4, Vec2, Vec4};
 
 use crate::data::tile::{MERCATOR_LATITUDE_LIMIT, MapPoint, POLAR_LATITUDE_DEG, Projection};
 use crate::model::earth::{self, WGS84};
+use crate::model::relief;
 use crate::scene::frame::uniform::{FrameUniform, NEAR_M};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
@@ -66,6 +67,7 @@ pub fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
 /// The reference points of the three map squares: the eye's foot where the square holds it, else its nearest anchor.
 pub fn set_map(u: &mut FrameUniform, camera: &Camera) {
     let (lat, lon) = (camera.lat, camera.lon);
+    u.relief_eye = relief::place(earth::normal(lat, lon));
     let anchor = lat.clamp(-MERCATOR_LATITUDE_LIMIT + 0.01, MERCATOR_LATITUDE_LIMIT - 0.01);
     let fixed = |projection, lat: f64, lon: f64| {
         let p = MapPoint::on(projection, lat, lon);

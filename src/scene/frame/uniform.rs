@@ -8,6 +8,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
+use crate::model::{relief, rugged};
 use crate::scene::sea::foam;
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 
@@ -33,7 +34,55 @@ pub fn shared_constants() -> String {
     ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
-    bits.concat() + &numbers.concat() + &clouds_field()
+    bits.concat() + &numbers.concat() + &clouds_field() + &relief_numbers()
+}
+
+/// Those of the relief.
+fn relief_numbers() -> String {
+    let whole = [
+        ("RELIEF_BITS", relief::BROADEST_BITS),
+        ("RELIEF_BROAD", relief::BROAD),
+        ("RELIEF_OCTAVES", relief::OCTAVES),
+        ("RUGGED_LEVEL", rugged::LEVEL.into()),
+        ("RUGGED_SHORE_LEVEL", rugged::SHORE_LEVEL.into()),
+        ("RUGGED_ISLAND_LEVEL", rugged::ISLAND_LEVEL.into()),
+    ];
+    let numbers = [
+        ("RELIEF_UNITS", relief::UNITS_PER_M * relief::RADIUS_M),
+        ("RELIEF_MESH_FOOTPRINT", relief::MESH_FOOTPRINT_M),
+        ("RELIEF_FIRST", relief::BROAD_HEIGHTS[0]),
+        ("RELIEF_SECOND", relief::BROAD_HEIGHTS[1]),
+        ("RELIEF_FOLD", relief::FOLD),
+        ("RELIEF_FOLD_MEAN", relief::FOLD_MEAN),
+        ("RELIEF_NOISE_GAIN", relief::NOISE_GAIN),
+        ("RELIEF_WAVES", relief::WAVES),
+        ("RELIEF_JITTER", relief::JITTER),
+        ("RELIEF_LEVEL", relief::LEVEL),
+        ("RELIEF_GENTLE", relief::GENTLE[0]),
+        ("RELIEF_SLOPING", relief::GENTLE[1]),
+        ("RELIEF_GULLIED", relief::GULLIED_M),
+        ("RELIEF_DEEP", relief::DEEP),
+        ("RELIEF_STEEPEST", relief::STEEPEST),
+        ("RELIEF_FOLLOWS", relief::FOLLOWS),
+        ("RUGGED_GAIN", rugged::GAIN_M),
+        ("RUGGED_LIFT_GAIN", rugged::LIFT_GAIN),
+        ("RUGGED_ISLAND_RISE", rugged::ISLAND_RISE),
+        ("RUGGED_ISLAND_WIDE", rugged::ISLAND_WIDE_M),
+        ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
+        ("RUGGED_MOST", rugged::MOST_M),
+        ("RUGGED_LEAST_SLOPE", rugged::LEAST_SLOPE),
+        ("RUGGED_LOW", rugged::LOW_M),
+        ("RUGGED_OF_HEIGHT", rugged::OF_HEIGHT),
+        ("RUGGED_OF_MEAN", rugged::OF_MEAN),
+        ("RUGGED_ICE_SLOPE", rugged::ICE_SLOPE),
+        ("RUGGED_OCEAN_FADE", rugged::OCEAN_FADE_M),
+        ("RUGGED_LAKE_FADE", rugged::LAKE_FADE_M),
+        ("RUGGED_SEAM_FADE", rugged::SEAM_FADE),
+        ("RUGGED_HIGHEST", rugged::HIGHEST_M),
+    ];
+    let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
+    let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
+    whole.concat() + &numbers.concat()
 }
 
 /// Those of the clouds' field, which the map of their weather needs alone.
@@ -169,6 +218,10 @@ gpu_struct! {
         cloud_meridian: Vec2 = "vec2f",
         /// The eye's foot on the square of the bed's pattern, see `shaders/lib/sea_bed.wgsl`: metres.
         bed_origin: Vec2 = "vec2f",
+        /// The eye's foot in the lattices of the relief; `model::relief::place`.
+        relief_eye: [u32; 3] = "vec3u",
+        /// Unused.
+        unused: u32 = "u32",
         /// Xy, xz, yz.
         quadric_mixed: Vec3 = "vec3f",
         /// The projected grid is cast from this far above the eye.

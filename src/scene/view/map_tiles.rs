@@ -19,6 +19,28 @@ const LEVELS_BELOW: u8 = 6;
 pub const RELIEF_M: f64 = 9_500.0;
 /// Tiles that one frame may draw.
 const MOST_TILES: usize = 420;
+/// As [`MOST_TILES`], with those that were divided for their relief.
+const MOST_RUGGED: usize = 1_000;
+/// Deepest level of tiles with relief: cells of 9.5 m at the equator, which hold all that [`crate::model::relief::MESH_FOOTPRINT_M`] asks for.
+const DEEPEST_RUGGED: u8 = 18;
+/// Range of elevations near a tile below which it has no relief of its own, metres: their deviation is half of it at most, over texels of
+/// 5 km or more that is less than `rugged::LEAST_SLOPE`.
+const FLAT_M: f64 = 5.0;
+/// From which on the ground is drawn in finer cells than the data ask for: twice as wide as usual ones, since on gentle slopes waves of
+/// less than four cells of 32 pixels stand a pixel or two high, and shading is enough.
+const RUGGED_M: f64 = 60.0;
+/// From which on ridges show as such, in cells half as wide as usual.
+const STEEP_M: f64 = 800.0;
+/// Nothing is drawn more finely than at this distance, metres: ground that is a little higher than its tile's middle.
+const NEAREST_M: f64 = 1.0;
+/// The tile of this level around an island that may be raised, 156 km wide at the equator, has deep water.
+const AROUND: u8 = 8;
+/// So deep, metres.
+const ISLAND_BED_M: f64 = -500.0;
+/// Such islands reach so far inland, metres.
+const ISLAND_INLAND_M: f64 = 1_000.0;
+/// Relief stands no higher over the data, metres.
+const HIGHEST_RELIEF_M: f64 = 2_000.0;
 
 /// How a sea hides its bed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,9 +105,12 @@ impl Visibility {
 
     /// `low` and `high` are the heights of what stands on the tile, metres.
     fn sees(&self, b: &Bounds, [low, high]: [f64; 2]) -> bool {
-        let reach = b.radius + high.max(-low);
+        let up = b.centre.normalize();
+        // What stands on the tile leans away from its middle's vertical by the tile's bend.
+        let reach = b.radius * (1.0 + high.max(-low) / WGS84.b);
         let away = b.centre - self.eye;
-        if self.planes.iter().any(|plane| plane.dot(away) < -reach) {
+        let nearest = |plane: &DVec3| plane.dot(away) + (plane.dot(up) * low).max(plane.dot(up) * high);
+        if self.planes.iter().any(|plane| nearest(plane) < -reach) {
             return false;
         }
         let angle = self.eye_normal.dot(b.centre.normalize()).clamp(-1.0, 1.0).acos();
@@ -105,8 +130,22 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
     let known = id.z >= tiles.deepest(Layer::Terrain, id.projection) && tiles.is_known(Layer::Terrain, id);
     // Vertices look four levels up, where a texel is as wide as a cell of the mesh.
     let metres = if known { tiles.elevations_m(id, id.z.saturating_sub(5)) } else { None };
-    // A sharp coast shapes the bed to at least 30 m of depth and the land to at least 2 m of height, see `shaped_elevation`.
-    metres.map_or([-RELIEF_M, RELIEF_M], |metres| [metres.least.min(-30.0), metres.greatest.max(2.0)])
+    // A sharp coast shapes the bed to at least 30 m of depth and the land to at least 2 m of height, see `shaped_elevation`. Valleys do
+    // not reach down to the sea.
+    let made = if rugged_m(id, tiles).is_some() { HIGHEST_RELIEF_M } else { 0.0 };
+    metres.map_or([-RELIEF_M, RELIEF_M], |metres| [metres.least.min(-30.0), metres.greatest.max(2.0) + made])
+}
+
+/// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
+/// there is no relief but what the data hold (`model::rugged`). Some way inland beside deep water there may be any.
+pub fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
+    let metres = tiles.elevations_m(id, id.z)?;
+    let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
+    let around = id.ancestor(AROUND).unwrap_or(id);
+    let is_deep = || tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
+    let is_island = shore_m.least < -ISLAND_INLAND_M && is_deep();
+    let range_m = metres.greatest - metres.least.max(0.0);
+    (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
 }
 
 impl Hiding {
@@ -125,8 +164,11 @@ impl Hiding {
 /// The tiles whose data a picture of `size` pixels needs, each place once, coarse tiles first, none deeper than the archives. They
 /// depend on the view alone: if what has come changed what is asked for, two sets of tiles could drive each other out for ever.
 pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<TileId> {
-    refined(camera, size, |id, _, visibility, b| {
-        (visibility.sees(b, [-RELIEF_M, RELIEF_M]), id.z < deepest_tiles(&Layer::ALL, id.projection, tiles))
+    refined(camera, size, |id, _, visibility, b| Judged {
+        shows: visibility.sees(b, [-RELIEF_M, RELIEF_M]),
+        divisible: id.z < deepest_tiles(&Layer::ALL, id.projection, tiles),
+        finer: 1.0,
+        ground_m: 0.0,
     })
 }
 
@@ -146,16 +188,39 @@ pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: O
     refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
-        (shows, id.z < deepest_mesh(id.projection, tiles))
+        let usual = deepest_mesh(id.projection, tiles);
+        let Some(range_m) = rugged_m(id, tiles).filter(|range_m| shows && *range_m >= RUGGED_M) else {
+            return Judged { shows, divisible: id.z < usual, finer: 1.0, ground_m: 0.0 };
+        };
+        let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
+        let finer = if range_m > STEEP_M {
+            2.0
+        } else if id.z < usual {
+            1.0
+        } else {
+            0.5
+        };
+        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer, ground_m }
     })
 }
 
-/// The quadtree's leaves. `judge` says of a tile, whose farthest point is some metres from the eye, whether it is there at all and
-/// whether it may be refined.
+/// What is to become of a tile of the quadtree.
+struct Judged {
+    /// It is there at all.
+    shows: bool,
+    /// It may be refined.
+    divisible: bool,
+    /// How many times finer than usual it shall be.
+    finer: f64,
+    /// How high its ground is, metres; 0 where that does not matter.
+    ground_m: f64,
+}
+
+/// The quadtree's leaves. `judge` says of a tile, whose farthest point is some metres from the eye, what is to become of it.
 fn refined(
     camera: &Camera,
     size: [u32; 2],
-    judge: impl Fn(TileId, f64, &Visibility, &Bounds) -> (bool, bool),
+    judge: impl Fn(TileId, f64, &Visibility, &Bounds) -> Judged,
 ) -> Vec<TileId> {
     let visibility = Visibility::new(camera, size);
     let mut open: VecDeque<TileId> = Projection::ALL.iter().map(|&p| TileId::root(p)).collect();
@@ -163,14 +228,20 @@ fn refined(
     while let Some(id) = open.pop_front() {
         let b = bounds(id);
         let centre_m = b.centre.distance(visibility.eye);
-        let (shows, divisible) = judge(id, centre_m + b.radius, &visibility, &b);
+        let Judged { shows, divisible, finer, ground_m } = judge(id, centre_m + b.radius, &visibility, &b);
         if !shows || !serves(id, &b) {
             continue;
         }
         // The middle of the ground under the eye is nearer than any bounding sphere tells.
-        let distance = (centre_m - b.radius).max(camera.altitude_m.abs()).max(1.0);
-        let fine = texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
-        let room = chosen.len() + open.len() < MOST_TILES;
+        let over_m = (camera.altitude_m - ground_m).abs();
+        let to_ground_m = if ground_m > 0.0 {
+            (b.centre + b.centre.normalize() * ground_m).distance(visibility.eye)
+        } else {
+            centre_m
+        };
+        let distance = (to_ground_m - b.radius).max(over_m).max(NEAREST_M);
+        let fine = finer * texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
+        let room = chosen.len() + open.len() < if finer > 1.0 { MOST_RUGGED } else { MOST_TILES };
         match id.children().filter(|_| !fine && divisible && room) {
             Some(children) => open.extend(children),
             None => chosen.push(id),

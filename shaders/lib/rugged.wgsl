@@ -1,0 +1,111 @@
+// How much relief the ground has that its elevation data do not hold, as src/model/rugged.rs: see there why; and that relief.
+#import ground_slope
+#import relief
+
+const CELL_PIXELS: f32 = 8.0;    // along a cell of the ground's mesh where it has relief, at most; as src/scene/view/map_tiles.rs
+
+// Values of three by three texels as a quadratic B-spline weighs them at a place: mean, standard deviation, and how the mean rises to the
+// right and down on the map, of a texel.
+struct Weighed { mean: f32, deviation: f32, rise: vec2f }
+
+fn weighed(n: Neighbours) -> Weighed {
+    let middle = n.rows[1].y;
+    let a = n.rows[0] - middle;
+    let b = n.rows[1] - middle;
+    let c = n.rows[2] - middle;
+    let wx = spline(n.t.x);
+    let wy = spline(n.t.y);
+    let rows = vec3f(dot(wx, a), dot(wx, b), dot(wx, c));
+    let mean = dot(wy, rows);
+    let square = dot(wy, vec3f(dot(wx, a * a), dot(wx, b * b), dot(wx, c * c)));
+    let rx = spline_rise(n.t.x);
+    let rise = vec2f(dot(wy, vec3f(dot(rx, a), dot(rx, b), dot(rx, c))), dot(spline_rise(n.t.y), rows));
+    return Weighed(middle + mean, sqrt(max(square - mean * mean, 0.0)), rise);
+}
+
+// What the data tell of a place, smooth over kilometres: vertices look it up, pixels interpolate it. `raw`: strength for the data's slope;
+// `inland`: how far the ocean's shore is, smoothly; `way`: slope of the data, east and north; `out`: the same of `inland`.
+struct Country { raw: Metres, mean: Metres, oceanic: f32, inland: Metres, way: vec2f, out: vec2f }
+
+fn country_at(point: MapPoint, sin_lat: f32) -> Country {
+    let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
+    let page = pages_at(point, min(RUGGED_LEVEL, deepest)).terrain;
+    let texel = texel_metres(point, f32(page.level), sin_lat);
+    let n = neighbours(false, point, page);
+    // Beds count as the sea's level: a deep sea beside a plain makes no mountains of it.
+    let sea = vec3f(0.0);
+    let data = weighed(Neighbours(mat3x3f(max(n.rows[0], sea), max(n.rows[1], sea), max(n.rows[2], sea)), n.t));
+    let slope = data.deviation / (0.5 * texel);
+    let rounding = 0.5 * min(data.mean / 16.0, 32.0) / texel;
+    let high = smoothstep(700.0, 1500.0, data.mean);
+    let ice = max(smoothstep(0.866, 0.9, -sin_lat), high * smoothstep(0.85, 0.92, sin_lat));
+    let least = RUGGED_LEAST_SLOPE + rounding + RUGGED_ICE_SLOPE * ice;
+
+    let shore_page = pages_at(point, min(RUGGED_SHORE_LEVEL, deepest)).water;
+    let shore_texel = texel_metres(point, f32(shore_page.level), sin_lat);
+    let shore = weighed(neighbours(true, point, shore_page));
+    let coarse_page = pages_at(point, min(RUGGED_ISLAND_LEVEL, deepest)).terrain;
+    let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
+    return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, smoothstep(0.5, 0.95, -100.0 * coarse),
+        -shore.mean * shore_texel, east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
+        east_north_of(point, shore.rise * vec2f(-1.0, 1.0)));
+}
+
+// Strength of the relief of ground at an elevation, `lift` of it raised.
+fn strength_of(country: Country, elevation: Metres, lift: Metres) -> Metres {
+    let raw = country.raw + RUGGED_LIFT_GAIN * lift;
+    let bounded = raw / (1.0 + raw / RUGGED_MOST);
+    let most = RUGGED_OF_HEIGHT * max(elevation, RUGGED_OF_MEAN * country.mean);
+    return smoothstep(0.0, RUGGED_LOW, elevation) * bounded * most / max(bounded + most, 1.0);
+}
+
+// What there is of all that is made this near to shores and to the border of the maps.
+fn made_share(sin_lat: f32, ground: Ground) -> f32 {
+    return smoothstep(0.0, RUGGED_OCEAN_FADE, -ground.ocean_shore) * smoothstep(0.0, RUGGED_LAKE_FADE, -ground.lake_shore)
+        * smoothstep(0.0, RUGGED_SEAM_FADE, abs(abs(sin_lat) - POLAR_SIN_LAT));
+}
+
+// How far the ground of an island in a deep sea is raised, and how that rises by metres inland.
+fn island_lift(oceanic: f32, inland: Metres, elevation: Metres) -> vec2f {
+    let x = max(inland, 0.0);
+    let flattening = 1.0 + x * x / (RUGGED_ISLAND_WIDE * RUGGED_ISLAND_WIDE);
+    let root = sqrt(flattening);
+    let lack = max(oceanic * RUGGED_ISLAND_RISE * x / root - max(elevation, 0.0), 0.0);
+    let raised = lack / (lack + RUGGED_ISLAND_SOFT);
+    return vec2f(raised * lack, raised * (2.0 - raised) * oceanic * RUGGED_ISLAND_RISE / (flattening * root));
+}
+
+fn earth_from_local(d: vec3f) -> vec3f {
+    let m = meridian_from_local(d);
+    return vec3f(m.x * frame.meridian.x - m.y * frame.meridian.y, m.x * frame.meridian.y + m.y * frame.meridian.x, m.z);
+}
+
+// Where a normal that differs by `dn` from that of the eye's foot lies in the relief's lattices.
+fn relief_place(dn: vec3f) -> vec3u {
+    return frame.relief_eye + bitcast<vec3u>(vec3i(round(clamp(earth_from_local(dn) * RELIEF_UNITS, vec3f(-2.1e9), vec3f(2.1e9)))));
+}
+
+// Height over the data's, and slope east and north, metres a metre. `hollow`: from -1 in valleys to 1 on summits. `whole`: 1 where the relief is
+// that of hills or more, 0 on plains.
+struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32 }
+
+const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0);
+
+// The relief of the ground at a place as one sees it who sees no smaller than `footprint`.
+fn made_relief(country: Country, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
+    let share = made_share(sin_lat, ground);
+    let lift = share * island_lift(country.oceanic, country.inland, ground.elevation);
+    let elevation = ground.elevation + lift.x;
+    let strong = share * strength_of(country, elevation, lift.x);
+    let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));
+    let east = normalize(vec3f(-up.y, up.x, 0.0) + vec3f(0.0, 1e-9, 0.0));
+    let north = cross(up, east);
+    let lifted = lift.y * country.out;
+    let way = country.way + lifted;
+    let found = relief(relief_place(dn), up, way.x * east + way.y * north, strong, footprint);
+    let room = max(select(RUGGED_HIGHEST - elevation, elevation, found.height < 0.0), 0.01);
+    let part = 1.0 / (1.0 + abs(found.height) / room);
+    let slope = part * part * vec2f(dot(found.slope, east), dot(found.slope, north)) + lifted;
+    return Made(lift.x + found.height * part, slope, clamp(found.height / (strong + 1.0), -1.0, 1.0),
+        smoothstep(0.0, RELIEF_GULLIED, strong));
+}

@@ -1,0 +1,144 @@
+//! How much relief a place has that its elevation data do not hold ([`super::relief`]), as those data themselves tell: the more they vary
+//! around it.
+//!
+//! Plains, shores, lakes, land below the sea and ice sheets have none. `shaders/lib/rugged.wgsl` is the same in single precision.
+
+use super::sea_bed::smoothstep;
+
+/// Level of the terrain tiles that is looked at wherever the eye is, so that nothing moves with it: the deepest that is there all over the
+/// bundled world. Texels are 9.8 km wide at the equator, as the data's own.
+pub const LEVEL: u8 = 4;
+
+/// Strength for the data's slope, metres: real mountains vary by 300 m within data cells that differ by a twentieth of their width.
+pub const GAIN_M: f64 = 17_000.0;
+/// Strength for what an island is raised by.
+pub const LIFT_GAIN: f64 = 1.0;
+/// It grows no more far beyond this.
+pub const MOST_M: f64 = 1_800.0;
+/// Slopes below this are none.
+pub const LEAST_SLOPE: f64 = 0.001;
+/// Ground no higher than the sea has no relief; from this height on it has all of it, metres.
+pub const LOW_M: f64 = 2.0;
+/// Strength of what lies low, of the height over the sea.
+pub const OF_HEIGHT: f64 = 1.2;
+/// At steep coasts, where the ground is lowered to meet the shore, of this much of the data's mean.
+pub const OF_MEAN: f64 = 0.5;
+/// Slope that is none on an ice sheet.
+pub const ICE_SLOPE: f64 = 0.02;
+/// How far from the ocean's shore the relief is whole, metres; from a lake's.
+pub const OCEAN_FADE_M: f64 = 700.0;
+/// See [`OCEAN_FADE_M`].
+pub const LAKE_FADE_M: f64 = 700.0;
+/// Sine of the latitude where the polar maps begin, whose data are others: there is no relief, so that no step shows.
+pub const SEAM_SIN_LAT: f64 = 0.994_521_895_368_273_3;
+/// Sine from there on which the relief is whole: 0.2 degrees.
+pub const SEAM_FADE: f64 = 3.7e-4;
+/// No summit is made higher than this, metres.
+pub const HIGHEST_M: f64 = 9_000.0;
+
+/// Level of the terrain tiles that tells islands in a deep sea.
+pub const ISLAND_LEVEL: u8 = 1;
+/// Level of the water tiles whose distances tell how far inland a place is, smoothly.
+pub const SHORE_LEVEL: u8 = 5;
+/// How steep such islands are at least.
+pub const ISLAND_RISE: f64 = 0.17;
+/// They are flat far beyond this from their shores, metres.
+pub const ISLAND_WIDE_M: f64 = 9_000.0;
+/// How softly they leave the data's ground, metres.
+pub const ISLAND_SOFT_M: f64 = 100.0;
+
+/// Values of three by three texels as a quadratic B-spline weighs them at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Around {
+    /// Their mean, metres.
+    pub mean_m: f64,
+    /// Their standard deviation, metres.
+    pub deviation_m: f64,
+    /// How the mean rises to the right and down on the map, metres a texel.
+    pub rise_m: [f64; 2],
+}
+
+impl Around {
+    /// Of `metres`, row by row; `[x, y]` is the place within the middle texel, -1/2 to 1/2. Beds count as the sea's level: a deep sea
+    /// beside a plain makes no mountains of it.
+    pub fn of(metres: [[f64; 3]; 3], [x, y]: [f64; 2]) -> Self {
+        let metres = metres.map(|row| row.map(|metres| metres.max(0.0)));
+        Self::any(metres, [x, y])
+    }
+
+    /// As [`Around::of`], of values of any sign.
+    pub fn any(metres: [[f64; 3]; 3], [x, y]: [f64; 2]) -> Self {
+        let weights = |t: f64| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
+        let rises = |t: f64| [t - 0.5, -2.0 * t, t + 0.5];
+        let middle = metres[1][1];
+        let [mut mean, mut square, mut right, mut down] = [0.0; 4];
+        for (row, (wy, ry)) in metres.iter().zip(weights(y).into_iter().zip(rises(y))) {
+            for (metres, (wx, rx)) in row.iter().zip(weights(x).into_iter().zip(rises(x))) {
+                let over = metres - middle;
+                mean += wx * wy * over;
+                square += wx * wy * over * over;
+                right += rx * wy * over;
+                down += wx * ry * over;
+            }
+        }
+        let deviation_m = (square - mean * mean).max(0.0).sqrt();
+        Self { mean_m: middle + mean, deviation_m, rise_m: [right, down] }
+    }
+}
+
+/// The shores near a place: signed distances in metres, positive in the ocean, and in lakes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shores {
+    /// The ocean's.
+    pub ocean_m: f64,
+    /// The nearest lake's.
+    pub lake_m: f64,
+}
+
+/// Strength of the relief, metres, of ground at `elevation_m`, `lift_m` of it raised, with such data `around`, whose texels are `texel_m` wide.
+pub fn strength_m(around: Around, texel_m: f64, sin_lat: f64, [elevation_m, lift_m]: [f64; 2]) -> f64 {
+    // The spline's weights deviate by half a texel along each axis.
+    let slope = around.deviation_m / (0.5 * texel_m);
+    // Heights are rounded to steps of a sixteenth at most, and of 32 m.
+    let rounding = 0.5 * (around.mean_m / 16.0).min(32.0) / texel_m;
+    let high = smoothstep(700.0, 1_500.0, around.mean_m);
+    let ice = smoothstep(0.866, 0.9, -sin_lat).max(high * smoothstep(0.85, 0.92, sin_lat));
+    let least = LEAST_SLOPE + rounding + ICE_SLOPE * ice;
+    let raw = GAIN_M * slope * smoothstep(least, 2.5 * least, slope) + LIFT_GAIN * lift_m;
+    let bounded = raw / (1.0 + raw / MOST_M);
+    let most = OF_HEIGHT * elevation_m.max(0.0).max(OF_MEAN * around.mean_m);
+    smoothstep(0.0, LOW_M, elevation_m) * bounded * most / (bounded + most).max(1.0)
+}
+
+/// What there is of all that is made this near to shores and to the border of the maps, 0 to 1.
+pub fn fade(sin_lat: f64, shores: Shores) -> f64 {
+    smoothstep(0.0, OCEAN_FADE_M, -shores.ocean_m)
+        * smoothstep(0.0, LAKE_FADE_M, -shores.lake_m)
+        * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs())
+}
+
+/// How far a place is one of islands in a deep sea, 0 to 1: `mean_m` is the mean elevation about it in texels `texel_m` wide, of level
+/// [`ISLAND_LEVEL`]. Beds beside land are kept no deeper than a hundredth of their texels.
+pub fn oceanic(mean_m: f64, texel_m: f64) -> f64 {
+    smoothstep(0.5, 0.95, -100.0 * mean_m / texel_m)
+}
+
+/// How far ground at `elevation_m` is raised on such an island, metres, `inland_m` from the shore, and how that rises by metres inland. The
+/// data have lowered or lost islands narrower than a few of their cells; those out of deep sea, and wider than an atoll's are, are volcanoes,
+/// which rise by a sixth of the way inland.
+pub fn lift(oceanic: f64, inland_m: f64, elevation_m: f64) -> (f64, f64) {
+    let x = inland_m.max(0.0);
+    let flattening = 1.0 + (x / ISLAND_WIDE_M).powi(2);
+    let root = flattening.sqrt();
+    let lack = (oceanic * ISLAND_RISE * x / root - elevation_m.max(0.0)).max(0.0);
+    let raised = lack / (lack + ISLAND_SOFT_M);
+    (raised * lack, raised * (2.0 - raised) * oceanic * ISLAND_RISE / (flattening * root))
+}
+
+/// What relief of `height_m` comes to on ground at `elevation_m` over the sea, metres, and the share of its slope: valleys do not reach down
+/// to the sea's level, nor summits beyond [`HIGHEST_M`].
+pub fn bounded(elevation_m: f64, height_m: f64) -> (f64, f64) {
+    let room = if height_m < 0.0 { elevation_m } else { HIGHEST_M - elevation_m }.max(0.01);
+    let share = 1.0 / (1.0 + height_m.abs() / room);
+    (height_m * share, share * share)
+}

@@ -1,0 +1,168 @@
+//! The relief that is made up for the data's coarseness, at known places of the bundled world.
+
+use ocean_globe::data::sample::Sample;
+use ocean_globe::data::world::World;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+
+/// Islands in a deep sea: Tahiti, Madeira, and Faial and Pico, which the data have no higher than 2 m.
+const ISLANDS: [[f64; 2]; 3] = [[-17.6, -149.5], [32.7, -17.0], [38.5, -28.5]];
+
+/// Samples on a square about a place, degrees, `side_m` wide.
+fn around(world: &mut World, [lat_deg, lon_deg]: [f64; 2], side_m: f64, steps: i32) -> Vec<Sample> {
+    let at = |i: i32| (f64::from(i) / f64::from(steps - 1) - 0.5) * side_m / 111_195.0;
+    (0..steps * steps)
+        .map(|k| {
+            let (lat, lon) = (lat_deg + at(k / steps), lon_deg + at(k % steps) / lat_deg.to_radians().cos());
+            world.sample_blocking(lat.to_radians(), lon.to_radians()).unwrap()
+        })
+        .collect()
+}
+
+/// Mean and standard deviation.
+fn moments(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    let n = values.clone().count() as f64;
+    let mean = values.clone().sum::<f64>() / n;
+    [mean, (values.map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt()]
+}
+
+/// What is made on the land of a square 20 km wide.
+fn made(world: &mut World, place: [f64; 2]) -> Vec<Sample> {
+    around(world, place, 20_000.0, 41).into_iter().filter(|sample| sample.depth_m.is_none()).collect()
+}
+
+#[test]
+fn mountains_have_the_relief_of_mountains() {
+    let mut world = World::open(DATA);
+    // Name, place, deviation from … to in metres. Real heights deviate within 20 km by 400 to 700 m in high mountains and by 50 to 200 m in
+    // low ones; the data hold a part of that, what is made should hold about the rest.
+    for (name, place, from, to) in [
+        ("Khumbu, Himalaya", [27.9, 86.8], 120.0, 500.0),
+        ("Bernese Alps", [46.5, 8.1], 120.0, 500.0),
+        ("Andes", [-33.0, -70.0], 100.0, 400.0),
+        ("Jotunheimen, Norway", [61.5, 8.2], 80.0, 300.0),
+        ("Sognefjord, Norway", [61.1, 6.0], 60.0, 300.0),
+        ("Tahiti", [-17.63, -149.47], 100.0, 400.0),
+        ("Madeira", [32.75, -17.0], 100.0, 400.0),
+        ("Scottish Highlands", [56.8, -5.0], 40.0, 200.0),
+        ("Appalachians", [37.5, -80.5], 30.0, 150.0),
+        ("Queen Maud Mountains, Antarctica", [-84.9, -165.0], 50.0, 300.0),
+    ] {
+        let land = made(&mut world, place);
+        let [mean, rms] = moments(land.iter().map(|sample| sample.relief_made_m));
+        let highest = land.iter().map(|sample| sample.elevation_m).fold(f64::MIN, f64::max);
+        let of_data = land.iter().map(|sample| sample.elevation_measured_m).fold(f64::MIN, f64::max);
+        println!("{name}: {mean:.0} +- {rms:.0} m made, the highest {highest:.0} m where the data have {of_data:.0} m");
+        assert!((from..to).contains(&rms), "{name}: {rms}");
+        assert!(highest > of_data + 0.5 * rms, "{name}: no summit stands over the data's: {highest}, {of_data}");
+    }
+}
+
+#[test]
+fn plains_and_ice_are_left_as_they_are() {
+    let mut world = World::open(DATA);
+    for (name, place) in [
+        ("Ganges plain", [26.0, 83.0]),
+        ("Amazonia", [-4.0, -62.0]),
+        ("West Siberia", [62.0, 75.0]),
+        ("Western Sahara", [23.6, -15.0]),
+        ("Holland", [52.15, 4.75]),
+        ("Noordoostpolder", [52.7, 5.75]),
+        ("East Antarctica", [-75.0, 100.0]),
+        ("Antarctica's slope", [-69.0, 100.0]),
+        ("Greenland's ice", [72.0, -40.0]),
+        ("Greenland's slope", [69.5, -48.0]),
+    ] {
+        let worst = made(&mut world, place).iter().map(|s| s.relief_made_m.abs()).fold(0.0, f64::max);
+        println!("{name}: {worst:.2} m made at most");
+        assert!(worst < 2.0, "{name}: {worst}");
+    }
+}
+
+#[test]
+fn water_shores_and_land_below_the_sea_have_none() {
+    let mut world = World::open(DATA);
+    let (mut wet, mut near, mut low) = (0, 0, 0);
+    // Steep coasts, fjords, islands, lakes among mountains, the Dead Sea, polders, the Caspian lowland, the Qattara Depression.
+    for (place, side_m) in [
+        (ISLANDS[0], 60_000.0),
+        ([61.1, 5.6], 80_000.0),
+        (ISLANDS[1], 60_000.0),
+        (ISLANDS[2], 80_000.0),
+        ([46.2, 6.5], 80_000.0),
+        ([31.5, 35.48], 60_000.0),
+        ([52.45, 5.4], 80_000.0),
+        ([47.3, 50.5], 80_000.0),
+        ([29.6, 27.3], 80_000.0),
+        ([-23.0, -43.4], 60_000.0),
+    ] {
+        for sample in around(&mut world, place, side_m, 120) {
+            let (made_m, data_m) = (sample.relief_made_m, sample.elevation_measured_m);
+            assert_eq!(sample.elevation_m, data_m + made_m);
+            let is_lake = sample.lake_distance_m.is_some_and(|d| d > 0.0);
+            // Where the data know little of an island they have some of it below the sea: there it may be raised.
+            let is_low = data_m <= 0.0 && !(ISLANDS.contains(&place) && made_m > 0.0);
+            if sample.depth_m.is_some() || is_lake || is_low {
+                (wet, low) =
+                    (wet + usize::from(data_m > 0.0 || sample.depth_m.is_some()), low + usize::from(data_m < 0.0));
+                assert_eq!(made_m, 0.0, "{place:?}: {sample:?}");
+                continue;
+            }
+            assert!(sample.elevation_m > data_m.min(0.0), "{place:?} sank: {sample:?}");
+            let shores = [sample.shore_distance_m, sample.lake_distance_m].into_iter().flatten();
+            let from_shore_m = shores.map(f64::abs).fold(f64::MAX, f64::min);
+            // What is made rises with the square of the distance: 3 (d / 700 m)² of a kilometre at most.
+            if from_shore_m < 60.0 {
+                near += 1;
+                assert!(made_m.abs() < 22.0 * (from_shore_m / 60.0).powi(2), "{place:?}: {sample:?}");
+            }
+        }
+    }
+    assert!(wet > 10_000 && near > 500 && low > 1_000, "{wet} in water, {near} near a shore, {low} below the sea");
+}
+
+#[test]
+fn mountains_keep_their_mean() {
+    let mut world = World::open(DATA);
+    for (name, place) in
+        [("Alps", [46.3, 9.0]), ("Himalaya", [28.5, 85.0]), ("Rockies", [39.5, -106.0]), ("Andes", [-14.0, -72.0])]
+    {
+        let land = around(&mut world, place, 250_000.0, 90);
+        let [mean, rms] = moments(land.iter().map(|sample| sample.relief_made_m));
+        println!("{name}: {mean:.1} +- {rms:.0} m made");
+        // 8,100 samples of ridges some 5 km wide, 2,500 of them independent: 2 % of the deviation. Valleys that are not let down to the sea
+        // and summits that are held below 9 km add a few hundredths more.
+        assert!(mean.abs() < 0.12 * rms && rms > 80.0, "{name}: {mean} of {rms}");
+    }
+}
+
+#[test]
+fn no_border_of_tiles_or_maps_shows() {
+    let mut world = World::open(DATA);
+    let mut made = |lat_deg: f64, lon_deg: f64| {
+        let sample = world.sample_blocking(lat_deg.to_radians(), lon_deg.to_radians()).unwrap();
+        [sample.relief_made_m, sample.elevation_measured_m]
+    };
+    let mut relief = 0;
+    // Borders of tiles of level 4 and 5 in the Alps and the Himalaya, then the antimeridian in Chukotka and in Fiji: a
+    // centimetre to either side.
+    for (lats, lon_deg) in [([46.0, 47.4], 11.25), ([28.0, 29.5], 90.0), ([65.5, 68.5], 180.0), ([-16.9, -16.6], 180.0)]
+    {
+        for i in 0..200 {
+            let lat_deg = lats[0] + (lats[1] - lats[0]) * f64::from(i) / 200.0;
+            let [[west, data_west], [east, data_east]] = [-1e-7, 1e-7].map(|step| made(lat_deg, lon_deg + step));
+            relief += usize::from(west.abs() > 5.0);
+            // Two centimetres on slopes of three at most; places are whole numbers of 4 mm, which is as much again. The data themselves
+            // have steps where tiles of two levels meet, by which the bound on valleys differs.
+            let allowed = 0.1 + 0.1 * (data_west - data_east).abs();
+            assert!((west - east).abs() < allowed, "{lat_deg} {lon_deg}: {west} {east}");
+        }
+    }
+    assert!(relief > 200, "only {relief} places have relief");
+    // Beyond 84 degrees another map's data begin, which differ by up to 150 m: nothing is made there.
+    for lon_deg in [-178.0, -170.0, -165.0, 165.0, 172.0] {
+        for lat_deg in [-84.0 + 1e-7, -84.0 - 1e-7] {
+            assert!(made(lat_deg, lon_deg)[0].abs() < 0.01, "{lat_deg} {lon_deg}");
+        }
+    }
+}
