@@ -1,4 +1,4 @@
-//! The named views: from orbit to the deck, and the sea in four winds. Fixed times, so that each looks the same for everyone.
+//! The named views: from orbit to the deck and under it, seas and hours. Fixed times, so that each looks the same for everyone.
 
 use crate::model::sun;
 use crate::scene::view::camera::Camera;
@@ -17,8 +17,8 @@ pub struct View {
     pub fragment: &'static str,
 }
 
-/// All named views, from the highest to the lowest.
-pub const VIEWS: [View; 8] = [
+/// All named views, from the highest to the lowest: heights first, then seas, then hours and depths.
+pub const VIEWS: [View; 14] = [
     View {
         id: "globe",
         widget: "viewGlobe",
@@ -32,16 +32,34 @@ pub const VIEWS: [View; 8] = [
         fragment: "view=26,-21,3000000,180,18&clouds=0.35&time=2026-11-20T13:00:00Z",
     },
     View {
+        id: "mediterranean",
+        widget: "viewMediterranean",
+        title: "the Mediterranean, 400 km",
+        fragment: "view=34,18,400000,0,55&clouds=0.2&time=2026-08-02T14:00:00Z",
+    },
+    View {
         id: "islands",
         widget: "viewIslands",
         title: "30 km",
         fragment: "view=29.25,-13.78,30000,184,56&clouds=0.3&time=2026-11-26T12:30:00Z",
     },
     View {
+        id: "lagoon",
+        widget: "viewLagoon",
+        title: "a lagoon, 600 m",
+        fragment: "view=24.318,-76.57,600,128,68&bft=3&clouds=0.25&time=2026-06-21T17:00:00Z",
+    },
+    View {
         id: "coast",
         widget: "viewCoast",
         title: "coast, 560 m",
         fragment: "view=28.8545,-13.792,560,253,71&clouds=0.2&time=2026-11-20T15:00:00Z",
+    },
+    View {
+        id: "bridge",
+        widget: "viewBridge",
+        title: "a storm from the bridge, 15 m",
+        fragment: "view=-52,60,15,280,82&bft=10&clouds=0.7&time=2026-12-21T09:00:00Z",
     },
     View {
         id: "calm",
@@ -67,14 +85,38 @@ pub const VIEWS: [View; 8] = [
         title: "hurricane",
         fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&clouds=0.9&time=2026-11-20T12:00:00Z",
     },
+    View {
+        id: "sunset",
+        widget: "viewSunset",
+        title: "sunset",
+        fragment: "view=-12,-30,4,292,89&bft=4&clouds=0.35&time=2026-06-11T19:15:00Z",
+    },
+    View {
+        id: "moonlit",
+        widget: "viewMoonlit",
+        title: "moonlight",
+        fragment: "view=18,-62.5,4,72,92&bft=3&haze=0.04&clouds=0.25&time=2026-11-24T23:10:00Z",
+    },
+    View {
+        id: "underwater",
+        widget: "viewUnderwater",
+        title: "under water",
+        fragment: "view=24.3,-76.55,-1.6,120,86&bft=3&clouds=0.3&time=2026-06-21T16:30:00Z",
+    },
 ];
 
-/// What opens where no link says anything: the default view, turned to the side of the earth that has day at a UTC instant in
-/// seconds since 1970.
+/// How far east of the noon meridian the opening view stands, degrees: a strip of evening shows, with lights.
+const OPENING_EAST_DEG: f64 = 32.0;
+/// And from where it looks, degrees and metres.
+const OPENING_LAT_DEG: f64 = 14.0;
+const OPENING_ALTITUDE_M: f64 = 1.3e7;
+
+/// What opens where no link says anything: the earth by day at a UTC instant in seconds since 1970, filling the picture.
 pub fn opening(unix_seconds: f64) -> ViewState {
     let (_, noon_lon) = sun::subsolar_point(unix_seconds);
-    let default = ViewState::default();
-    ViewState { camera: Camera { lon: noon_lon + 0.5, ..default.camera }.normalized(), ..default }
+    let lon_deg = noon_lon.to_degrees() + OPENING_EAST_DEG;
+    let camera = Camera::from_degrees(OPENING_LAT_DEG, lon_deg, OPENING_ALTITUDE_M, 0.0, 0.0).normalized();
+    ViewState { camera, ..ViewState::default() }
 }
 
 impl View {
