@@ -185,7 +185,9 @@ impl Map<'_, '_> {
         let fade = rugged::fade(sin_lat, shores);
         let [coarsest, level] = [rugged::ISLAND_LEVEL, rugged::LEVEL].map(|z| z.min(terrain));
         let Some((z, _)) = self.deepest(Layer::Terrain, point, level)? else { return Ok(0.0) };
-        let Some((shore_z, _)) = self.deepest(Layer::Water, point, rugged::SHORE_LEVEL.min(water))? else { return Ok(0.0) };
+        let Some((shore_z, _)) = self.deepest(Layer::Water, point, rugged::SHORE_LEVEL.min(water))? else {
+            return Ok(0.0);
+        };
         let texel_m = |z| texel_size_m(self.projection, z, lat);
         let [data_m, shore_m, coarse_m] = [z, shore_z, coarsest].map(texel_m);
         let (metres, t) = self.neighbours(Layer::Terrain, z)?;

@@ -103,7 +103,8 @@ fn water_shores_and_land_below_the_sea_have_none() {
             // Where the data know little of an island they have some of it below the sea: there it may be raised.
             let is_low = data_m <= 0.0 && !(ISLANDS.contains(&place) && made_m > 0.0);
             if sample.depth_m.is_some() || is_lake || is_low {
-                (wet, low) = (wet + usize::from(data_m > 0.0 || sample.depth_m.is_some()), low + usize::from(data_m < 0.0));
+                (wet, low) =
+                    (wet + usize::from(data_m > 0.0 || sample.depth_m.is_some()), low + usize::from(data_m < 0.0));
                 assert_eq!(made_m, 0.0, "{place:?}: {sample:?}");
                 continue;
             }
@@ -123,7 +124,9 @@ fn water_shores_and_land_below_the_sea_have_none() {
 #[test]
 fn mountains_keep_their_mean() {
     let mut world = World::open(DATA);
-    for (name, place) in [("Alps", [46.3, 9.0]), ("Himalaya", [28.5, 85.0]), ("Rockies", [39.5, -106.0]), ("Andes", [-14.0, -72.0])] {
+    for (name, place) in
+        [("Alps", [46.3, 9.0]), ("Himalaya", [28.5, 85.0]), ("Rockies", [39.5, -106.0]), ("Andes", [-14.0, -72.0])]
+    {
         let land = around(&mut world, place, 250_000.0, 90);
         let [mean, rms] = moments(land.iter().map(|sample| sample.relief_made_m));
         println!("{name}: {mean:.1} +- {rms:.0} m made");
@@ -143,7 +146,8 @@ fn no_border_of_tiles_or_maps_shows() {
     let mut relief = 0;
     // Borders of tiles of level 4 and 5 in the Alps and the Himalaya, then the antimeridian in Chukotka and in Fiji: a
     // centimetre to either side.
-    for (lats, lon_deg) in [([46.0, 47.4], 11.25), ([28.0, 29.5], 90.0), ([65.5, 68.5], 180.0), ([-16.9, -16.6], 180.0)] {
+    for (lats, lon_deg) in [([46.0, 47.4], 11.25), ([28.0, 29.5], 90.0), ([65.5, 68.5], 180.0), ([-16.9, -16.6], 180.0)]
+    {
         for i in 0..200 {
             let lat_deg = lats[0] + (lats[1] - lats[0]) * f64::from(i) / 200.0;
             let [[west, data_west], [east, data_east]] = [-1e-7, 1e-7].map(|step| made(lat_deg, lon_deg + step));

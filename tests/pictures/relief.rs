@@ -88,20 +88,25 @@ fn the_ground_that_is_drawn_is_the_one_that_is_sampled_from_any_eye() {
                 let pixel = DVec2::new((index % 48) as f64 + 0.5, (index / 48) as f64 + 0.5);
                 let (lat, lon) = (place[1].to_radians(), place[0].to_radians());
                 let sample = world.sample_blocking(lat, lon).unwrap();
-                let distance_m = (WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: sample.elevation_m }) - eye.eye_ecef()).length();
+                let distance_m = (WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: sample.elevation_m })
+                    - eye.eye_ecef())
+                .length();
                 // Farther pixels are wider, and show less than a sample holds.
                 if sample.depth_m.is_some() || distance_m > 560.0 {
                     continue;
                 }
                 let error = (sample.elevation_m - height).abs();
-                (worst, sum, made, seen) = (worst.max(error), sum + error, made.max(sample.relief_made_m.abs()), seen + 1);
+                (worst, sum, made, seen) =
+                    (worst.max(error), sum + error, made.max(sample.relief_made_m.abs()), seen + 1);
                 let at = Geodetic { lat, lon, height: sample.elevation_m };
                 off.extend(eye.project(at, extent).map(|at| at.distance(pixel)));
             }
             off.sort_by(f64::total_cmp);
             let off = off.get(off.len() * 9 / 10).copied().unwrap_or(f64::MAX);
             let mean = sum / f64::from(seen.max(1));
-            println!("{view}: {seen} pixels, {made:.0} m made, off by {mean:.2} m in the mean and {worst:.2} m at most, drawn {off:.2} pixels off");
+            println!(
+                "{view}: {seen} pixels, {made:.0} m made, off by {mean:.2} m in the mean and {worst:.2} m at most, drawn {off:.2} pixels off"
+            );
             assert!(seen > 100 && made > 20.0, "{view}: {seen} pixels, {made} m made");
             // Pixels interpolate the data's slope, which turns the gullies a little: tenths of a metre in the mean.
             assert!(mean < 0.5 && worst < 3.0, "{view}: {mean}, {worst}");

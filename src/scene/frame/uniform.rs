@@ -7,8 +7,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::clouds;
-use crate::model::{relief, rugged};
 use crate::model::wave_domain::PATCHES;
+use crate::model::{relief, rugged};
 use crate::scene::sea::foam;
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 

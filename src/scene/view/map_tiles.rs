@@ -234,7 +234,11 @@ fn refined(
         }
         // The middle of the ground under the eye is nearer than any bounding sphere tells.
         let over_m = (camera.altitude_m - ground_m).abs();
-        let to_ground_m = if ground_m > 0.0 { (b.centre + b.centre.normalize() * ground_m).distance(visibility.eye) } else { centre_m };
+        let to_ground_m = if ground_m > 0.0 {
+            (b.centre + b.centre.normalize() * ground_m).distance(visibility.eye)
+        } else {
+            centre_m
+        };
         let distance = (to_ground_m - b.radius).max(over_m).max(NEAREST_M);
         let fine = finer * texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
         let room = chosen.len() + open.len() < if finer > 1.0 { MOST_RUGGED } else { MOST_TILES };
