@@ -16,6 +16,7 @@ struct Vertex {
 }
 
 const GRID: f32 = 16.0;
+const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
@@ -48,6 +49,8 @@ fn vertex(in: Tile) -> Vertex {
         let held = max(spacing, CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
         c = country_at(point, sin_lat);
         made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
+        // Triangles across a shore would carry the relief's heights out over the sea.
+        made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
     }
     var height = ground.elevation + made.height;
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));

@@ -1,6 +1,13 @@
 //! The papers and books behind the equations, as linkable items: code that uses an equation links to the item here and keeps
 //! the source's letters. An item holds no code and cannot be made: it is a name to link to.
 
+/// Tricard, T., Efremov, S., Zanni, C., Neyret, F., Martínez, J. and Lefebvre, S. (2019), *Procedural phasor noise*, ACM Trans. Graph. 38 (4), 57:
+/// a wave whose phase is mixed from those of kernels around a place, at one amplitude. <https://doi.org/10.1145/3306346.3322990>
+pub enum Tricard2019 {}
+
+/// Perlin, K. (2001), *Noise hardware*, SIGGRAPH course notes: gradient noise on simplices. No DOI.
+pub enum Perlin2001 {}
+
 /// Phillips, O. M. (1958), *The equilibrium range in the spectrum of wind-generated waves*, J. Fluid Mech. 4, 426–434.
 /// <https://doi.org/10.1017/S0022112058000550>
 pub enum Phillips1958 {}

@@ -1,10 +1,12 @@
 //! Relief that elevation data of 9 km cannot hold: ridges and valleys, made by a deterministic function of the place.
 //!
-//! Two broad octaves of gradient noise raise peaks between the data's values; gullies are then cut down the slope that data and
-//! broader octaves have, each octave half as wide as the one before, so that small ones run into larger ones as in land that water has
-//! eroded. Sums of octaves of ridged noise were tried first: without a sense of what is downhill they look like crumpled foil. A gully
-//! octave is a wave across the slope whose phase is mixed from four random ones around a place, brought to one amplitude (phasor noise,
-//! T. Tricard et al. 2019); R. S. Johansen's and C. John's erosion filters (2018 to 2025) have the same idea on a plane.
+//! Two broad octaves of [gradient noise on simplices](crate::bibliography::Perlin2001), folded into ridges, raise mountains between the
+//! data's values; gullies are then cut down the slope that data and broader octaves have, each octave half as wide as the one before, so that
+//! small ones run into larger ones as in land that water has eroded. More octaves of ridges have no sense of what is downhill: such sums look
+//! like crumpled foil. A gully octave is a wave across the slope whose phase is mixed from those of four corners around a place, brought
+//! to one amplitude ([phasor noise](crate::bibliography::Tricard2019)).
+//!
+//! Slopes are exact but for the turning of gullies with the slope that they follow; crests and floors, where it counts, lie where they are.
 //!
 //! The lattices are those of simplex noise in space, over the unit normal times [`RADIUS_M`]: no map's seams, one size everywhere. Places are
 //! integers of [`UNITS_PER_M`], so that the GPU, which adds a small difference to the eye's place, finds the same corners.
