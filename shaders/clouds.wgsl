@@ -12,8 +12,8 @@ const MOST_LOOKS = 72u;
 const SHORTEST_STEP: Metres = 50.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = 4.0;                      // steps in a cloud, of those between
-const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
+const FINER = 5.0;                      // steps in a cloud, of those between
+const FINE_STEPS = 8u;                  // as many of them go on behind a cloud before steps are wide again
 const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
@@ -81,7 +81,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * frame.pixel_angle, select(select(select(0.8, 0.4, is_wide), 0.28, is_fine) * step, max(0.6 * step, 120.0), is_lit));
+        let footprint = max(sight * frame.pixel_angle, select(select(select(0.8, 0.4, is_wide), 0.42, is_fine) * step, max(0.6 * step, 120.0), is_lit));
         let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);

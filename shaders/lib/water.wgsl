@@ -69,7 +69,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     if CLOUDS { sky = clouded_sky(sky, w.at, mirrored, w.up); }
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
-    let glints = sun * mean_glitter.radiance;
+    let glints = light.disc * sun * mean_glitter.radiance;
     // Where the sky outshines the mean of the facets single ones do not stand out.
     let standing_out = smoothstep(0.1, 0.6, glints.g / max(reflected.g, 1e-9));
     let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);

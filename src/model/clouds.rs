@@ -95,6 +95,6 @@ pub fn storms(number: u32) -> [Vec4; STORMS] {
         let lat = side * (34.0 + 32.0 * random()).to_radians();
         let lon = TAU * random();
         let at = DVec3::new(libm::cos(lat) * libm::cos(lon), libm::cos(lat) * libm::sin(lon), libm::sin(lat));
-        at.extend(side * (2.5 + 3.0 * random())).as_vec4()
+        at.extend(side * (1.4 + 2.0 * random())).as_vec4()
     })
 }

@@ -6,6 +6,8 @@ use crate::model::daylight;
 
 /// 2^0.7: a grey card in the light that is metered comes out as 141 of 255.
 const BRIGHTER: f64 = 1.624_504_792_712_471;
+/// And for an eye in space, that clouds below it are white.
+const BRIGHTER_IN_SPACE: f64 = 1.3;
 /// Irradiance below which a picture is not exposed for all of the light that is missing, of the sun's beyond the air: an evening looks
 /// like one, and the sky about a low sun is not burnt.
 const EVENING: f64 = 0.5;
@@ -23,7 +25,7 @@ const SPACE_M: f64 = 400_000.0;
 /// where next to nothing of the disc below is lit.
 pub fn exposure(mu: f64, altitude_m: f64) -> f64 {
     let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
-    let [near, space] = [BRIGHTER / metered(mu), libm::pow(5.0, dark) / metered(1.0)];
+    let [near, space] = [BRIGHTER / metered(mu), BRIGHTER_IN_SPACE * libm::pow(5.0, dark) / metered(1.0)];
     let high = altitude_m.max(0.0) / SPACE_M;
     let low = 1.0 / (1.0 + high * high);
     PI * libm::pow(near, low) * libm::pow(space, 1.0 - low)

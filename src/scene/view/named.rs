@@ -46,8 +46,8 @@ pub const VIEWS: [View; 14] = [
     View {
         id: "lagoon",
         widget: "viewLagoon",
-        title: "a lagoon, 600 m",
-        fragment: "view=24.318,-76.57,600,128,68&bft=3&clouds=0.25&time=2026-06-21T17:00:00Z",
+        title: "a lagoon, 1,500 m",
+        fragment: "view=24.318,-76.57,1500,128,58&bft=3&clouds=0.25&time=2026-06-21T17:00:00Z",
     },
     View {
         id: "coast",
