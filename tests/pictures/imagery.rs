@@ -116,15 +116,22 @@ fn roughest(pixels: &[([f64; 2], [f64; 3])], width: usize) -> f64 {
 #[test]
 fn no_seam_shows_at_the_borders_of_tiles() {
     let mut renderer = renderer();
-    // Where two to four tiles of level 5 and of all levels above meet, and across the antimeridian.
-    for (lat, lon) in [(48.922_499, 11.25), (0.0, 22.5), (40.979_898, 90.0), (66.7, 180.0), (21.943_046, 0.0)] {
+    // Where two to four tiles of level 5 and of all levels above meet, across the antimeridian, and where a tile of level 5 ends beside one of
+    // level 4: in Manitoba, Siberia (three times) and Finland.
+    let alike = [(48.922_499, 11.25), (0.0, 22.5), (40.979_898, 90.0), (66.7, 180.0), (21.943_046, 0.0)];
+    let unlike = [(52.5, -101.25), (58.8, 67.5), (58.8, 90.0), (72.4, 101.25), (64.2, 22.5)];
+    let places = alike.map(|place| (place, 0.001)).into_iter().chain(unlike.map(|place| (place, 0.05)));
+    for ((lat, lon), bound) in places {
         let view = format!("#view={lat},{lon},40000,0,0&quality=low&time=2026-06-21T12:00:00Z");
         let pixels = albedo(&mut renderer, &view, [240, 240]);
-        let roughest = roughest(&pixels, 240);
-        println!("{lat}, {lon}: {roughest:.5}");
         // The spline bends by no more than what neighbouring texels differ by over the square of the 20 pixels or more between them: 0.4 of
         // albedo, snow beside rock, makes 0.001. A seam of one step of 255 is 0.001 in dark ground and 0.005 in bright.
-        assert!(roughest < 0.001, "{lat}, {lon}: {roughest}");
+        // Tiles that differ from their parents' picture by less than 0.8 steps in the mean were left out: some texel of a border by two, which
+        // are a twentieth of the light of dark ground.
+        let unit = if bound < 0.01 { 1.0 } else { mean(pixels.iter().map(|(_, albedo)| *albedo))[1] };
+        let roughest = roughest(&pixels, 240) / unit;
+        println!("{lat}, {lon}: {roughest:.5}");
+        assert!(roughest < bound, "{lat}, {lon}: {roughest}");
     }
 }
 
