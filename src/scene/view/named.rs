@@ -109,7 +109,7 @@ pub const VIEWS: [View; 14] = [
 const OPENING_EAST_DEG: f64 = 32.0;
 /// And from where it looks, degrees and metres.
 const OPENING_LAT_DEG: f64 = 14.0;
-const OPENING_ALTITUDE_M: f64 = 1.3e7;
+const OPENING_ALTITUDE_M: f64 = 1.7e7;
 
 /// What opens where no link says anything: the earth by day at a UTC instant in seconds since 1970, filling the picture.
 pub fn opening(unix_seconds: f64) -> ViewState {
