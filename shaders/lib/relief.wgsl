@@ -106,7 +106,7 @@ fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, footprint: Metre
     }
     downhill += found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
-    let gullied = smoothstep(RELIEF_GENTLE, RELIEF_SLOPING, length(downhill)) * smoothstep(0.0, RELIEF_GULLIED, strength);
+    let gullied = smoothstep(RELIEF_GENTLE, RELIEF_SLOPING, length(downhill)) * smoothstep(0.25 * RELIEF_GULLIED, RELIEF_GULLIED, strength);
     octave = RELIEF_BROAD;
     loop {
         let edge = relief_edge(octave);

@@ -47,7 +47,7 @@ pub const JITTER: f64 = 0.7;
 pub const LEVEL: f64 = 0.05;
 /// Slopes between which gullies begin.
 pub const GENTLE: [f64; 2] = [0.02, 0.07];
-/// Strength from which on gullies are whole, metres.
+/// Strength from which on gullies are whole, metres; below a quarter of it there are none.
 pub const GULLIED_M: f64 = 60.0;
 /// Depth of gullies, of their edge and the slope.
 pub const DEEP: f64 = 0.11;
@@ -163,7 +163,8 @@ pub fn relief(at: [u32; 3], up: DVec3, slope: DVec3, strength_m: f64, footprint_
     }
     let mut downhill = slope + found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
-    let gullied = smoothstep(GENTLE[0], GENTLE[1], downhill.length()) * smoothstep(0.0, GULLIED_M, strength_m);
+    let gullied =
+        smoothstep(GENTLE[0], GENTLE[1], downhill.length()) * smoothstep(0.25 * GULLIED_M, GULLIED_M, strength_m);
     for octave in BROAD..OCTAVES {
         let (edge, shown) = (edge_m(octave), shown(octave, footprint_m));
         let steep = downhill.length();
