@@ -4,6 +4,8 @@
 
 const CELL_PIXELS: f32 = 8.0;    // along a cell of the ground's mesh where it has relief, at most; as src/scene/view/map_tiles.rs
 
+const LIFT_SEEN = vec2f(1000.0, 4000.0);   // widths of pixels between which raised islands are no longer seen, metres
+
 // Values of three by three texels as a quadratic B-spline weighs them at a place: mean, standard deviation, and how the mean rises to the
 // right and down on the map, of a texel.
 struct Weighed { mean: f32, deviation: f32, rise: vec2f }
@@ -94,7 +96,9 @@ const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0);
 // The relief of the ground at a place as one sees it who sees no smaller than `footprint`.
 fn made_relief(country: Country, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
     let share = made_share(sin_lat, ground);
-    let lift = share * island_lift(country.oceanic, country.inland, ground.elevation);
+    // Pixels so wide show no islands' heights; nor need the texels that tell of them be at hand there.
+    let seen = 1.0 - smoothstep(LIFT_SEEN.x, LIFT_SEEN.y, footprint);
+    let lift = seen * share * island_lift(country.oceanic, country.inland, ground.elevation);
     let elevation = ground.elevation + lift.x;
     let strong = share * strength_of(country, elevation, lift.x);
     let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));
