@@ -49,6 +49,9 @@ pub struct RenderArgs {
     pub data: String,
 }
 
+/// Pictures of a sheet are drawn so many times as wide and high first.
+const FINER: u32 = 4;
+
 /// Runs the command.
 ///
 /// # Errors
@@ -73,10 +76,27 @@ fn pictures(states: &[ViewState], size: [u32; 2], output: &Path, data: &str) -> 
     let write = if is_named(output, &["png", "jpg", "jpeg"])? == "png" { write_png } else { write_jpeg };
     let mut renderer = headless(data, Radiance::Half)?;
     let mut all = Vec::new();
+    // Stars, foam and crests of a small picture are those of a larger one seen from farther away.
+    let times = if states.len() > 1 { FINER } else { 1 };
     for state in states {
-        all.extend(picture(&mut renderer, state, size)?);
+        let fine = size.map(|side| side * times);
+        all.extend(shrunk(&picture(&mut renderer, state, fine)?, fine[0] as usize, times as usize));
     }
     write(output, [size[0], size[1] * states.len() as u32], &all)
+}
+
+/// An RGBA picture of rows of `width` pixels with one pixel, their mean, for each square of `times` by `times`.
+fn shrunk(rgba: &[u8], width: usize, times: usize) -> Vec<u8> {
+    let row = 4 * width;
+    let mean = |top: usize, left: usize, part: usize| {
+        let values =
+            (0..times * times).map(|i| usize::from(rgba[(top + i / times) * row + 4 * (left + i % times) + part]));
+        (values.sum::<usize>() / (times * times)) as u8
+    };
+    let rows = (0..rgba.len() / row).step_by(times);
+    rows.flat_map(|top| (0..width).step_by(times).flat_map(move |left| (0..4).map(move |part| (top, left, part))))
+        .map(|(top, left, part)| mean(top, left, part))
+        .collect()
 }
 
 /// The ending of a file's name, which must be one of these.

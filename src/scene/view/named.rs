@@ -65,19 +65,19 @@ pub const VIEWS: [View; 14] = [
         id: "calm",
         widget: "viewCalm",
         title: "calm",
-        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&clouds=0.3&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=1&clouds=0.2&time=2026-11-20T12:00:00Z",
     },
     View {
         id: "breeze",
         widget: "viewBreeze",
         title: "breeze",
-        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&clouds=0.4&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,206,84&ride=1&bft=4&clouds=0.2&time=2026-11-20T12:00:00Z",
     },
     View {
         id: "gale",
         widget: "viewGale",
         title: "gale",
-        fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.5&time=2026-11-20T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.15&time=2026-11-26T12:00:00Z",
     },
     View {
         id: "hurricane",
