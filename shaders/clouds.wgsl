@@ -26,7 +26,7 @@ const CLOUD_LEAST = 0.1;
 
 // Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
 fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: f32) -> vec3f {
-    let lit = 0.55 * exp(-optical_depth) * phase + 0.4 * exp(-0.2 * optical_depth) + 0.09;
+    let lit = 0.58 * exp(-optical_depth) * phase + 0.52 * exp(-0.2 * optical_depth) + 0.09;
     return (sun * lit * 0.95 + sky * (0.55 + 0.45 * height)) / PI;
 }
 
@@ -110,9 +110,10 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     }
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
-    // Below them the air is in their shadow.
+    // Below them the air is in their shadow, among them in part.
     let cover = in_cloud(vec2f(cloud_weather(frame.cloud_eye).x, CLOUD_VARIANCE), 0.0).share;
-    let clear = 1.0 - select(0.0, cover * cover, frame.eye_altitude < CLOUD_BASE);
+    let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
+    let clear = 1.0 - below * cover * cover;
     veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
     return veil;
 }

@@ -25,14 +25,9 @@ impl Clouds {
         format: wgpu::TextureFormat,
     ) -> Self {
         let layout = gpu.layout("clouds", wgpu::ShaderStages::FRAGMENT, &[Bind::Depth]);
-        let over = wgpu::BlendComponent {
-            src_factor: wgpu::BlendFactor::One,
-            dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
-            operation: wgpu::BlendOperation::Add,
-        };
         let target = wgpu::ColorTargetState {
             format,
-            blend: Some(wgpu::BlendState { color: over, alpha: over }),
+            blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::COLOR,
         };
         let [near, globe] = [false, true].map(|globe| {

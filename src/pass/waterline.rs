@@ -43,14 +43,9 @@ impl Waterline {
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &attributes,
         };
-        let over = wgpu::BlendComponent {
-            src_factor: wgpu::BlendFactor::One,
-            dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
-            operation: wgpu::BlendOperation::Add,
-        };
         let target = wgpu::ColorTargetState {
             format,
-            blend: Some(wgpu::BlendState { color: over, alpha: over }),
+            blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::COLOR,
         };
         let [columns, rows] = CELLS;

@@ -2,6 +2,7 @@
 
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::Output;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 
@@ -67,4 +68,24 @@ fn clouds_cast_shadows() {
     println!("in shadow {:.2}, in the sun {:.2} of a clear day's light", ratios[2], ratios[45]);
     // Deep shadows have a fifth to a half of the light; beside clouds there is up to a fifth more, from them.
     assert!((0.2..0.5).contains(&ratios[2]) && (0.85..1.25).contains(&ratios[45]), "{ratios:.2?}");
+}
+
+#[test]
+fn closed_clouds_reflect_what_clouds_do() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut brightness = Vec::new();
+    for lon in [-60, -45, -30] {
+        // Straight down from 30 km, under a sun near the zenith.
+        let hour = 12 - lon / 15;
+        let state =
+            render::parse_state(&format!("#view=15,{lon},30000&clouds=1&time=2026-05-01T{hour}:00:00Z")).unwrap();
+        let (frame, _) = render::draw(&mut renderer, &state, [64, 36], Output::Picture).unwrap();
+        let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+        let green = bytes.chunks_exact(8).map(|texel| half::f16::from_le_bytes([texel[2], texel[3]]).to_f64());
+        let mean = green.sum::<f64>() / (64.0 * 36.0) / f64::from(frame.uniform.exposure);
+        brightness.push(std::f64::consts::PI * mean / f64::from(frame.uniform.light.z));
+    }
+    println!("closed clouds have {brightness:.3?} of the brightness of white ground in the sun beyond the air");
+    // An optical depth t gives t / (t + 7.7): 0.44 and 0.72 for the depths of 6 and 20 between which most closed water clouds lie.
+    assert!(brightness.iter().all(|share| (0.44..0.72).contains(share)), "{brightness:?}");
 }
