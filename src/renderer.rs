@@ -1,4 +1,7 @@
 //! Floor 5: owns the passes. [`Renderer::render`] is one frame, in order, the same in browser, window and headless.
+//!
+//! It is long, but one thing: whoever follows a frame reads it here from top to bottom; what hangs on its size, its surface, its mesh or on
+//! water before the eye has files of its own below.
 
 use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};

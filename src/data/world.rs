@@ -3,6 +3,8 @@
 //! Nothing here blocks: [`World::request`] notes a wish, [`World::poll`] starts what may start and hands over what has
 //! arrived. A tile that fails is tried again, later and later, and given up after [`ATTEMPTS`] with one line in the
 //! log; it never holds up the others. Decoded tiles stay in a bounded cache for readouts ([`World::sample_resident`]).
+//!
+//! It is long, but one thing: a request's way from wish to answer, in the order in which it goes.
 
 mod cache;
 mod slot;

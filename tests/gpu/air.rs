@@ -1,4 +1,5 @@
-//! The tables of the air that the eye sees against steps along each ray, from the deck to space, from noon to night.
+//! The tables of the air that the eye sees against steps along each ray, from the deck to space, from noon to night. Long, but one thing: each test
+//! compares these tables, over many eyes and suns.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
