@@ -30,7 +30,7 @@ fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
     [x / (x + y + z), y / (x + y + z)]
 }
 
-/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, contrast 1.1 and saturation 1.3.
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55 and saturation 1.1.
 pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     const INSET: [[f64; 3]; 3] = [
         [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
@@ -45,13 +45,13 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     let times = |rows: [[f64; 3]; 3], v: [f64; 3]| rows.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>());
     let curve = |x: f64| {
         let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
-        powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.1)
+        powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.55)
     };
     let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
-    let toned =
-        times(INSET, balanced).map(|part| curve(((part.max(1e-10).log2() + 12.47393) / 16.499999).clamp(0.0, 1.0)));
+    let toned = times(INSET, balanced)
+        .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
     let grey = luminance(toned);
-    times(OUTSET, toned.map(|part| grey + 1.3 * (part - grey))).map(|part| part.clamp(0.0, 1.0))
+    times(OUTSET, toned.map(|part| grey + 1.1 * (part - grey))).map(|part| part.clamp(0.0, 1.0))
 }
 
 /// Radiance in the middle of a picture.
@@ -231,6 +231,31 @@ fn no_pixel_is_black_or_burnt_but_in_the_glint() {
     }
 }
 
+/// Share of a picture towards a low sun that is all but white, were it exposed `factor` times as long as it is.
+fn burnt(renderer: &mut Renderer, elevation: f64, factor: f64) -> f64 {
+    let link = format!("#view=0,-30,6,270,89&clouds=0&bft=4&quality=low&{}", with_sun_at(elevation));
+    let state = render::parse_state(&link).unwrap();
+    let values = render::measure(renderer, &state, [160, 90], LayerName::Radiance).unwrap().values;
+    let frame = Frame::new(&state.settings, &state.camera, render::instant(&state), [160, 90]);
+    let exposure = factor * f64::from(frame.uniform.exposure);
+    let white = |rgb: &&[f64]| displayed([exposure * rgb[0], exposure * rgb[1], exposure * rgb[2]])[1] > 250.0 / 255.0;
+    values.chunks_exact(3).filter(white).count() as f64 / (160.0 * 90.0)
+}
+
+#[test]
+fn a_low_sun_does_not_burn_the_sky_about_it() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    for elevation in [5.0, 10.0] {
+        // 2.2: as a picture with the sun behind it is exposed.
+        let [share, away] = [1.0, 2.2].map(|factor| burnt(&mut renderer, elevation, factor));
+        println!(
+            "sun at {elevation} degrees: {share:.4} of the picture is white, {away:.4} as exposed away from the sun"
+        );
+        // The disc with its glow, some 10 degrees across, has a fiftieth of the picture, its path on the sea as much.
+        assert!(share < 0.04 && share < 0.5 * away, "{share} {away}");
+    }
+}
+
 #[test]
 fn the_horizon_is_a_step_that_grows_with_the_wind() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
@@ -349,7 +374,7 @@ fn the_display_has_the_tone_of_agx() {
     println!("grey card {card:.1}");
     assert!((card - 141.0).abs() < 5.0, "{card}");
     // Ever brighter, up to white.
-    let ramp: Vec<f64> = (-120..=40).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
+    let ramp: Vec<f64> = (-120..=28).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
     assert!(ramp.windows(2).all(|pair| pair[1] > pair[0]) && ramp[0] < 0.01 && ramp[ramp.len() - 1] > 0.98);
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let size = [64, 36];

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::model::clouds::{self, Weather};
 use crate::model::earth::WGS84;
 use crate::model::overcast;
+use crate::scene::frame::exposure::into_sun;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
 use crate::scene::settings::Settings;
@@ -55,7 +56,12 @@ pub fn set_clouds(
     let weather = clouds::weather(unix_seconds);
     if shown && camera.altitude_m < ABOVE_THEM_M[1] {
         let towards = u.cloud_eye.as_dvec3().normalize();
-        u.exposure *= overcast_exposure(overcast::share(towards, &weather, settings.clouds), camera.altitude_m) as f32;
+        let share = overcast::share(towards, &weather, settings.clouds);
+        u.exposure *= overcast_exposure(share, camera.altitude_m) as f32;
+        // No sun burns where clouds hide it.
+        let sun = u.sun.as_dvec3();
+        let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
+        u.exposure *= libm::pow(into, -share * share) as f32;
     }
     shown.then(|| Clouds { weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
 }

@@ -12,9 +12,13 @@ const BRIGHTER_IN_SPACE: f64 = 1.3;
 /// like one, and the sky about a low sun is not burnt.
 const EVENING: f64 = 0.5;
 /// Share of what is missing that it is exposed for, in stops.
-const ADAPTED: f64 = 0.5;
+const ADAPTED: f64 = 0.45;
 /// And the least light that a picture is exposed for.
-const NIGHT: f64 = 0.004;
+const NIGHT: f64 = 0.002_34;
+/// How many times more light a picture that looks straight into the sun is exposed for; ours.
+const INTO_SUN: f64 = 1.2;
+/// Half of the sun's glow is left for each 0.02 of the sine that it has sunk.
+const GLOW_HALVED_BY: f64 = 0.02;
 /// Where half of the exposure is that of a picture from space, m.
 const SPACE_M: f64 = 400_000.0;
 
@@ -29,6 +33,14 @@ pub fn exposure(mu: f64, altitude_m: f64) -> f64 {
     let high = altitude_m.max(0.0) / SPACE_M;
     let low = 1.0 / (1.0 + high * high);
     PI * libm::pow(near, low) * libm::pow(space, 1.0 - low)
+}
+
+/// Factor of the exposure of a picture whose middle is so near to the sun: `towards` is the cosine of the angle between them, `mu` the sine of
+/// the sun's elevation. As photographers do who would not have the sky about a low sun burnt.
+pub fn into_sun(towards: f64, mu: f64, altitude_m: f64) -> f64 {
+    let high = altitude_m.max(0.0) / SPACE_M;
+    let glow = libm::exp2(mu.min(0.0) / GLOW_HALVED_BY) / (1.0 + high * high);
+    1.0 / (1.0 + INTO_SUN * glow * libm::pow(towards.max(0.0), 3.0))
 }
 
 /// Irradiance that a picture is exposed for.

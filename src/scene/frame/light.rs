@@ -1,7 +1,7 @@
 //! What lights the picture, and which lights show in it.
 
 use crate::model::{earth, moon, sun};
-use crate::scene::frame::exposure::exposure;
+use crate::scene::frame::exposure::{exposure, into_sun};
 use crate::scene::frame::night;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
@@ -27,7 +27,8 @@ pub fn set_light(u: &mut FrameUniform, haze: f64, camera: &Camera, unix_seconds:
     u.light = ((light * steps).round() / steps).normalize().as_vec3();
     // All radiances are of a light of 1; a picture by moonlight is exposed for so much more.
     let unit = moonlight.unwrap_or(1.0);
-    u.exposure = (exposure(sun.z, camera.altitude_m) * unit) as f32;
+    let towards = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
+    u.exposure = (exposure(sun.z, camera.altitude_m) * towards * unit) as f32;
     u.night = (1.0 / unit) as f32;
     u.night_ground = night::ground_share(camera.altitude_m) as f32;
     u.moon = moon.as_vec3();
