@@ -3,7 +3,6 @@
 #import waves
 #import world
 #import held
-#import light
 
 @group(2) @binding(0) var below: texture_2d<f32>;
 
@@ -12,7 +11,7 @@ struct Vertex {
     @location(0) over: f32,            // metres of the lens above the water, straight up
 }
 
-const MENISCUS: f32 = 0.008;           // how high the water climbs, in heights of the picture; ours
+const MENISCUS: f32 = 0.011;           // how high the water climbs, in heights of the picture; ours
 
 @vertex
 fn vertex(@location(0) grid: vec2f) -> Vertex {
@@ -30,21 +29,37 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     return Vertex(vec4f(grid, 0.5, 1.0), place.z + frame.eye_altitude - height);
 }
 
+// How high the water stands on the glass here, of its usual height: it wets it in places and runs off in others.
+fn standing(x: f32) -> f32 {
+    let slow = sin(5.3 * x + 1.1) + sin(11.9 * x - 0.7);
+    let quick = sin(29.0 * x + 2.0 * slow) + sin(67.0 * x - 3.0 * slow);
+    return max(0.75 + 0.22 * slow + 0.10 * quick, 0.2);
+}
+
+// The picture from below, as blurred as by the drop that it is seen through.
+fn through_drop(at: vec2f, along: vec2f) -> vec3f {
+    let last = vec2f(textureDimensions(below)) - 1.0;
+    var sum = vec3f(0.0);
+    for (var i = 0; i < 4; i++) {
+        sum += textureLoad(below, vec2u(clamp(at + (f32(i) - 1.5) * along, vec2f(0.0), last)), 0).rgb;
+    }
+    return 0.25 * sum;
+}
+
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let rise = vec2f(dpdx(in.over), dpdy(in.over));
     let pixels = in.over / max(length(rise), 1e-6);
-    let climbed = pixels / max(MENISCUS * frame.viewport.y, 2.0);
+    let tall = max(MENISCUS * frame.viewport.y, 2.0) * standing(in.position.x / frame.viewport.y);
+    let climbed = pixels / tall;
     let wet = saturate(0.5 - pixels);
-    let size = vec2f(textureDimensions(below));
-    // Within the meniscus the water below is seen once more, upside down and dim.
+    // Within the meniscus the water below is seen once more, upside down, drawn out and dim.
     let down = -rise / max(length(rise), 1e-6);
     let inside = max(climbed, 0.0);
-    let seen = in.position.xy + down * select(0.0, 2.0 * pixels + 4.0, pixels > 0.0);
-    let water = textureLoad(below, vec2u(clamp(seen, vec2f(0.0), size - 1.0)), 0).rgb;
-    let dark = (1.0 - wet) * (1.0 - smoothstep(0.55, 1.0, inside));
-    let light = daylight_at(frame.light.z);
-    let day = (light.sun * max(frame.light.z, 0.0) + light.sky) / PI * frame.exposure;
-    let bright = 0.10 * (1.0 - wet) * smoothstep(0.45, 0.8, inside) * (1.0 - smoothstep(0.8, 1.15, inside));
-    return vec4f(water * (wet + 0.45 * dark) + bright * day, wet + 0.85 * dark);
+    let seen = in.position.xy + down * select(0.0, 5.0 * pixels + 4.0, pixels > 0.0);
+    let water = through_drop(seen, down * select(0.0, 2.0, pixels > 0.0));
+    let film = (1.0 - wet) * (1.0 - smoothstep(0.3, 1.0, inside));
+    // Just below the line the glass is wet by a wedge of water that turns the sight: the surface's own dark side is seen in it.
+    let wedge = 1.0 - 0.45 * exp(-2.5 * max(-climbed, 0.0));
+    return vec4f(water * (wet * wedge + 0.42 * film), wet + 0.9 * film);
 }

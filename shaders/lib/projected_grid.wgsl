@@ -44,6 +44,8 @@ fn projected(device: vec2f) -> vec3f {
 
 const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
 const NEAREST: Metres = 0.7;
+// And before a lens that the water cuts through: what the waterline leaves of its foot must be as true as the waterline.
+const NEAREST_LENS = 0.6;      // in distances of the lens
 
 const WITHIN_EDGES = 0.8;      // share of the grid within the screen's edges, under water
 
@@ -74,9 +76,10 @@ fn rest_position(grid: vec2f) -> vec3f {
     var distance = from_distance - below * reach;
     var width = 1.0;
     // Where the screen's lower edge lies before the eye, the rim runs in towards it; behind, it only runs on.
-    if from_distance > NEAREST {
+    let nearest = select(NEAREST, NEAREST_LENS * frame.lens, frame.lens > 0.0);
+    if from_distance > nearest {
         let nearing = min(below / 0.8, 1.0);
-        distance = from_distance * pow(NEAREST / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
+        distance = from_distance * pow(nearest / from_distance, nearing) - max(below - 0.8, 0.0) / 0.2 * reach;
         width = clamp(distance / from_distance, 0.02, 1.0);
     }
     let aside = width * dot(rest.xy, right) + reach * (beside + grid.x * below);

@@ -211,10 +211,13 @@ fn the_water_before_the_lens_stands_where_the_waves_are() {
 #[test]
 fn the_surface_goes_by_without_holes() {
     let mut film = Film::new();
-    film.renderer.set_clear_colour(wgpu::Color { r: 9.0, g: 0.0, b: 9.0, a: 1.0 });
+    film.renderer.set_clear_colour(wgpu::Color { r: 2.0, g: 0.0, b: 2.0, a: 1.0 });
     // Level, and at a tilt that shows much of either side; waves also hide the far sea.
-    for (view, wind) in [("0,120,90", 3), ("0.05,30,70", 5), ("-0.05,210,110", 5)] {
-        let state = state(&format!("#view={SHALLOWS},{view}&ride=1&wind={wind}@90&{NOON}"));
+    // Without the land no bed fills them.
+    let views =
+        [("0,120,90", 3, ""), ("0.05,30,70", 5, ""), ("-0.05,210,110", 5, ""), ("0,250,86", 2, "&layers=-land")];
+    for (view, wind, layers) in views {
+        let state = state(&format!("#view={SHALLOWS},{view}&ride=1&wind={wind}@90&{NOON}{layers}"));
         let mut last: Option<f64> = None;
         for instant in instants(&state) {
             let (_, picture) = film.draw(&state, instant);
