@@ -55,7 +55,7 @@ const VALLEY_MEAN: f32 = 0.1408;   // of the size of `map_noise_rise`, over the 
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
 
 // Valleys, creased where the noise is none, between round hills; from 100 m on down patches of what grows and lies there. Each octave bends
-// the next, so that none shows its lattice. As in lib/waves.wgsl, the loop ends at its foot.
+// the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair. As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
     var detail = Detail(0.0, 0.0, vec2f(0.0));
     var level = 13u;
@@ -69,7 +69,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         detail.coarse += select(0.0, height, is_hill);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
-        place += bitcast<vec2u>(vec2i(WARP * noise.yz * f32(1u << (32u - level))));
+        place = at + bitcast<vec2u>(vec2i(WARP * noise.yz * f32(1u << (32u - level))));
         level += 2u;
         if level > 25u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
