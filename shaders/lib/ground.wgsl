@@ -1,5 +1,6 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs).
 #import ground_colour
+#import bed_cover
 #import imagery
 #import rugged
 #import shore_pixels
@@ -54,7 +55,10 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
     } else {
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
     }
-    if is_bed { albedo = bed_colour(-ground.elevation); }
+    if is_bed {
+        albedo = bed_colour(-ground.elevation);
+        if FINE { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
+    }
     albedo = mix(albedo, sand, smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
         * select(saturate(beach / footprint), 0.0, is_bed));
     let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));

@@ -1,10 +1,8 @@
 // What the sea's bed looks like: sand with ripples, and where it is not sand, seagrass and rock. All is fixed to the map: ways on it are
 // those of `frame.bed_origin`, a square of BED_SIDE metres that repeats.
+#import bed_cover
 #import world
-#import hash
 #import under_water
-
-const BED_SIDE: f32 = 4096.0;                
 
 // A way from the eye's foot, east and north, to a place of the bed's square.
 fn bed_place(way: vec2f) -> vec2f {
@@ -15,34 +13,6 @@ fn bed_place(way: vec2f) -> vec2f {
     }
     return frame.bed_origin + way / frame.cos_lat;
 }
-
-fn bed_corner(cell: vec2i, cells: i32, salt: u32, offset: vec2f) -> vec3f {
-    let word = hash(vec3u(bitcast<vec2u>(((cell % cells) + cells) % cells), salt));
-    let slope = vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 32767.5 - 1.0;
-    return vec3f(slope, dot(slope, offset));
-}
-
-// Gradient noise about 0 with its slopes (x, y) and value (z), over cells of a number of metres that divides the square's side.
-fn bed_noise(place: vec2f, cell: f32, salt: u32) -> vec3f {
-    let p = place / cell;
-    let low = floor(p);
-    let f = p - low;
-    let cells = i32(BED_SIDE / cell);
-    let at = vec2i(low);
-    let a = bed_corner(at, cells, salt, f);
-    let b = bed_corner(at + vec2i(1, 0), cells, salt, f - vec2f(1.0, 0.0));
-    let c = bed_corner(at + vec2i(0, 1), cells, salt, f - vec2f(0.0, 1.0));
-    let d = bed_corner(at + vec2i(1, 1), cells, salt, f - vec2f(1.0, 1.0));
-    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
-    let k = a.z - b.z - c.z + d.z;
-    let value = a.z + u.x * (b.z - a.z) + u.y * (c.z - a.z) + u.x * u.y * k;
-    let slope = a.xy + u.x * (b.xy - a.xy) + u.y * (c.xy - a.xy) + u.x * u.y * (a.xy - b.xy - c.xy + d.xy)
-        + du * (u.yx * k + vec2f(b.z - a.z, c.z - a.z));
-    return vec3f(slope / cell, value);
-}
-
-fn shown(footprint: Metres, width: Metres) -> f32 { return 1.0 - smoothstep(0.2, 0.6, footprint / width); }
 
 // Slopes and height of ripples that lie across `way`, `wide` metres from crest to crest: their crests bend with the noise and are sharper
 // than their troughs. `bend`: slopes and value of that noise, in metres of the crests' way.
@@ -100,15 +70,13 @@ fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
     let tone = 1.0 + 0.10 * ripple.z * calm + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
         + 0.12 * tiny.z * shown(footprint, 0.25);
     var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
-    // Seagrass in meadows of 30 to 250 m, torn at their edges; rock where it is neither.
-    let meadow = bed_noise(place, 256.0, 41u).z + 0.55 * bed_noise(place, 64.0, 42u).z + 0.30 * broad.z + 0.22 * heaps.z + 0.12 * small.z;
-    let grass = smoothstep(0.30, 0.36, meadow) * (1.0 - smoothstep(15.0, 30.0, depth));
+    let cover = bed_cover(place, depth, vec3f(broad.z, heaps.z, small.z));
+    let grass = cover.grass;
+    let rock = cover.rock;
     let blades = 0.5 + 1.1 * tiny.z * shown(footprint, 0.25) + 0.9 * small.z;
-    albedo = mix(albedo, vec3f(0.035, 0.055, 0.022) * clamp(0.6 + blades, 0.3, 1.8), grass);
+    albedo = mix(albedo, SEAGRASS * clamp(0.6 + blades, 0.3, 1.8), grass);
     slope = mix(slope, slope + 0.10 * tiny.xy * shown(footprint, 0.25) + 0.10 * small.xy, grass);
-    let reef = bed_noise(place, 128.0, 43u).z + 0.6 * bed_noise(place, 32.0, 44u).z + 0.35 * heaps.z + 0.20 * small.z;
-    let rock = smoothstep(0.40, 0.45, reef) * (1.0 - grass);
-    albedo = mix(albedo, vec3f(0.16, 0.125, 0.085) * clamp(0.9 + 1.2 * small.z + 0.9 * tiny.z, 0.3, 1.8), rock);
+    albedo = mix(albedo, REEF * clamp(0.9 + 1.2 * small.z + 0.9 * tiny.z, 0.3, 1.8), rock);
     slope += rock * (0.35 * small.xy * shown(footprint, 1.0) + 0.09 * tiny.xy * shown(footprint, 0.25));
     return BedLook(slope, albedo);
 }

@@ -32,9 +32,15 @@ fn sight_to_bed(direction: vec3f, normal: vec3f, up: vec3f, depth: Metres) -> ve
     return below * depth / max(-dot(below, up), 0.3);
 }
 
+const USUAL_DENSITY: f32 = 0.2;  // of `frame.water_density`, per metre: water as it is measured
+const BED_FADES: f32 = 0.9;      // alpha from which on the bed goes, before none of it is drawn
+
+// What a way through water of a kind leaves of light.
+fn left_of_way(way: Metres, kind: f32) -> vec3f { return exp(-attenuation(kind) * way); }
+
 // Radiance below the surface of a bed, over what the water's index of refraction takes: wet, with the light that has been sent back to it.
 fn bed_radiance(bed: Bed, kind: f32, down: vec3f) -> vec3f {
-    let lit = bed.radiance * exp(-attenuation(kind) * bed.way);
+    let lit = bed.radiance * left_of_way(bed.way, kind);
     return lit * (1.0 - MIRRORED_BACK) / (1.0 - MIRRORED_BACK * saturate(PI * lit / max(down, vec3f(1e-12))));
 }
 
@@ -75,6 +81,8 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
-    let through = (mix(bed_radiance(w.bed, w.kind, down), body, w.alpha) + w.glow) * (1.0 - reflectance);
+    let way = w.bed.way * frame.water_density / USUAL_DENSITY;
+    let shallow = bed_radiance(Bed(w.bed.radiance, way), w.kind, down) + body * (1.0 - left_of_way(way, w.kind));
+    let through = (mix(shallow, body, smoothstep(BED_FADES, OPAQUE_ALPHA, w.alpha)) + w.glow) * (1.0 - reflectance);
     return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }

@@ -10,10 +10,11 @@ const R: f64 = 9_000.0;
 fn far_from_the_shore_the_grid_holds() {
     for elevation in [-4290.0, -430.0, -31.0, -5.0, 3.0, 8848.0] {
         let shore = if elevation < 0.0 { 2.0 * R } else { -2.0 * R };
-        // 1 % of 18 km is more than 30 m: deeper than that, and higher than 2 m, the grid alone speaks.
-        let want = if !(-30.0..=2.0).contains(&elevation) { elevation } else { -30.0 };
-        assert_eq!(shaped_elevation(elevation, shore, R), want);
+        // 1 % of 18 km is more than 4 m: deeper than that, and higher than 2 m, the grid alone speaks.
+        assert_eq!(shaped_elevation(elevation, shore, R), elevation);
     }
+    assert_eq!(shaped_elevation(-1.5, 2.0 * R, R), -4.0, "banks have at least 4 m of water");
+    assert_eq!(shaped_elevation(200.0, 2.0 * R, R), -30.0, "and fjords that the grid does not know 30");
     assert_eq!(shaped_elevation(-430.0, -2.0 * R, R), -430.0, "the Dead Sea stays below the sea, and dry");
 }
 

@@ -367,6 +367,42 @@ fn cool_shelves_are_green_and_gyres_blue() {
     assert!(by_holland > 1.1 * north_sea, "{by_holland} {north_sea}");
 }
 
+/// Green over blue of what the bed of the Great Bahama Bank, 10 m down, adds to the open sea's light.
+#[test]
+fn banks_shine_through_ten_metres_of_water() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // No seagrass at low quality, no grain of sand, and no wind: the data's 10 m over all of the picture; and 1,500 m.
+    let mut seen = |place: &str| {
+        let link = format!("#view={place},300&clouds=0&wind=0.5@90&water=open&quality=low&time=2026-03-20T16:00:00Z");
+        let state = render::parse_state(&link).unwrap();
+        let values = render::measure(&mut renderer, &state, [32, 18], LayerName::Radiance).unwrap().values;
+        let mut sums = [0.0; 3];
+        values.chunks_exact(3).for_each(|rgb| (0..3).for_each(|part| sums[part] += rgb[part]));
+        sums
+    };
+    let (bank, deep) = (seen("24.2,-78.6"), seen("24.8,-77.6"));
+    let added: Vec<f64> = (0..3).map(|part| bank[part] - deep[part]).collect();
+    // Sand that is as dark as 10 m down (`bed_colour`), twice 10 m of water of type IB, what is sent back below the surface; in water's stead.
+    let [albedo, lost, water] = [[0.326, 0.244], [0.068, 0.030], [0.0043, 0.0265]];
+    let back = 1.0 - 0.934 / (1.333 * 1.333);
+    let wanted: Vec<f64> = (0..2)
+        .map(|part| {
+            let kept = f64::exp(-20.0 * lost[part]);
+            let lit = albedo[part] * kept * (1.0 - back) / (1.0 - back * albedo[part] * kept);
+            lit - water[part] / 0.98 * kept
+        })
+        .collect();
+    // Daylight is whiter than the balance by its inverse.
+    let light = BALANCE[2] / BALANCE[1];
+    let (found, expected) = (added[1] / added[2], wanted[0] / wanted[1] * light);
+    println!(
+        "green over blue {found:.3}, wanted {expected:.3}; green {:.2} times that of the deep sea",
+        bank[1] / deep[1]
+    );
+    assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
+    assert!(bank[1] > 2.0 * deep[1], "{bank:?} {deep:?}");
+}
+
 #[test]
 fn the_display_has_the_tone_of_agx() {
     // A grey card in the light that the exposure is metered for.

@@ -90,7 +90,7 @@ pub fn set_map(u: &mut FrameUniform, camera: &Camera) {
     (u.south_point, u.south_delta, u.south_fixed) = polar(-1.0, Projection::South);
 }
 
-/// Side of the square of the bed's pattern, metres; equals `BED_SIDE` in `shaders/lib/sea_bed.wgsl`.
+/// Side of the square of the bed's pattern, metres; equals `BED_SIDE` in `shaders/lib/bed_cover.wgsl`.
 pub const BED_SIDE_M: f64 = 4096.0;
 
 /// Where a place lies in the pattern of the bed: metres on Mercator's map, whose unit is that of the equator, or around a pole, in a square that

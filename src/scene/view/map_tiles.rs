@@ -152,10 +152,9 @@ impl Hiding {
     /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
     fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
         let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
-        // What `shaped_elevation` makes of the distance at least; far from the shore the tiles' own depth counts.
-        let sloping = (0.01 * shore_m).min(30.0);
-        if shore_m <= 0.0 || sloping >= self.depth_m || shore_m < self.resolution_m {
-            return shore_m > 0.0 && sloping >= self.depth_m;
+        // `shaped_elevation` keeps near shores what is deeper than 3 % of the distance at that, and farther off as it is.
+        if shore_m <= 0.0 || (0.03 * shore_m < self.depth_m && shore_m < self.resolution_m) {
+            return false;
         }
         tiles.elevations_m(id, coarsest).is_some_and(|metres| -metres.greatest >= self.depth_m)
     }

@@ -1,0 +1,77 @@
+// What covers the sea's bed where it is not sand: seagrass in meadows of 30 to 250 m, torn at their edges, and rock. On a square of BED_SIDE
+// metres of the map that repeats; seen from far above, no two squares are alike.
+#import map
+#import noise
+
+const BED_SIDE: f32 = 4096.0;
+
+fn bed_corner(cell: vec2i, cells: i32, salt: u32, offset: vec2f) -> vec3f {
+    let word = hash(vec3u(bitcast<vec2u>(((cell % cells) + cells) % cells), salt));
+    let slope = vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 32767.5 - 1.0;
+    return vec3f(slope, dot(slope, offset));
+}
+
+// Gradient noise about 0 with its slopes (x, y) and value (z), over cells of a number of metres that divides the square's side.
+fn bed_noise(place: vec2f, cell: f32, salt: u32) -> vec3f {
+    let p = place / cell;
+    let low = floor(p);
+    let f = p - low;
+    let cells = i32(BED_SIDE / cell);
+    let at = vec2i(low);
+    let a = bed_corner(at, cells, salt, f);
+    let b = bed_corner(at + vec2i(1, 0), cells, salt, f - vec2f(1.0, 0.0));
+    let c = bed_corner(at + vec2i(0, 1), cells, salt, f - vec2f(0.0, 1.0));
+    let d = bed_corner(at + vec2i(1, 1), cells, salt, f - vec2f(1.0, 1.0));
+    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+    let k = a.z - b.z - c.z + d.z;
+    let value = a.z + u.x * (b.z - a.z) + u.y * (c.z - a.z) + u.x * u.y * k;
+    let slope = a.xy + u.x * (b.xy - a.xy) + u.y * (c.xy - a.xy) + u.x * u.y * (a.xy - b.xy - c.xy + d.xy)
+        + du * (u.yx * k + vec2f(b.z - a.z, c.z - a.z));
+    return vec3f(slope / cell, value);
+}
+
+fn shown(footprint: Metres, width: Metres) -> f32 { return 1.0 - smoothstep(0.2, 0.6, footprint / width); }
+
+const SEAGRASS = vec3f(0.035, 0.055, 0.022);
+const REEF = vec3f(0.16, 0.125, 0.085);
+const COVER_BEGINS = vec2f(0.33, 0.425);       // of the noise of meadows, and of reefs
+const COVER_EDGE = vec2f(0.03, 0.025);         // half the width of an edge there
+
+struct BedCover { grass: f32, rock: f32 }
+
+// Cover by the noises of meadows and of reefs, their edges `blurred` by what is not seen of them.
+fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres) -> BedCover {
+    let edge = COVER_EDGE + blurred;
+    let begun = smoothstep(COVER_BEGINS - edge, COVER_BEGINS + edge, vec2f(meadow, reef));
+    let grass = begun.x * (1.0 - smoothstep(15.0, 30.0, depth));
+    return BedCover(grass, begun.y * (1.0 - grass));
+}
+
+// As an eye in the water has it. `fine`: noises of 16, 4 and 1 m.
+fn bed_cover(place: vec2f, depth: Metres, fine: vec3f) -> BedCover {
+    let meadow = bed_noise(place, 256.0, 41u).z + 0.55 * bed_noise(place, 64.0, 42u).z + dot(fine, vec3f(0.30, 0.22, 0.12));
+    let reef = bed_noise(place, 128.0, 43u).z + 0.6 * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20));
+    return cover_of(meadow, reef, 0.0, depth);
+}
+
+const BED_NOISE_DEVIATION = 0.2;         // of `bed_noise`
+const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows are many here and few there
+const APART_FROM: Metres = 12.0;
+
+// Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them.
+fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -> vec3f {
+    if point.square != MERCATOR { return sand; }
+    let away = vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) * (EARTH_TURN / 4294967296.0);
+    let place = frame.bed_origin + vec2f(away.x, -away.y);
+    let seen = vec4f(shown(footprint, 256.0), shown(footprint, 128.0), shown(footprint, 64.0), shown(footprint, 32.0));
+    let near = vec3f(shown(footprint, 16.0), shown(footprint, 4.0), shown(footprint, 1.0));
+    let fine = vec3f(bed_noise(place, 16.0, 31u).z, bed_noise(place, 4.0, 32u).z, bed_noise(place, 1.0, 33u).z) * near;
+    let regional = 0.9 * smoothstep(ALIKE_TO, APART_FROM, footprint) * vec2f(map_noise(point.at, 13u, 51u) - 0.5, map_noise(point.at, 15u, 52u) - 0.5);
+    let meadow = seen.x * bed_noise(place, 256.0, 41u).z + 0.55 * seen.z * bed_noise(place, 64.0, 42u).z + dot(fine, vec3f(0.30, 0.22, 0.12));
+    let reef = seen.y * bed_noise(place, 128.0, 43u).z + 0.6 * seen.w * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20));
+    let hidden = vec4f(1.0, 1.0, 0.55, 0.6) * (1.0 - seen);
+    let cover = cover_of(meadow + regional.x + regional.y, reef - regional.x, 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
+    let tone = 1.0 + 0.22 * fine.x + 0.3 * seen.z * bed_noise(place, 64.0, 45u).z;
+    return mix(mix(sand * tone, SEAGRASS, cover.grass), REEF, cover.rock);
+}
