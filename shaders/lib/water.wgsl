@@ -76,5 +76,5 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let through = (mix(bed_radiance(w.bed, w.kind, down), body, w.alpha) + w.glow) * (1.0 - reflectance);
-    return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
+    return mix((1.0 - w.foam.shade) * (reflected + sparkling * glints + through), foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }
