@@ -7,6 +7,7 @@
 #import water_types
 
 const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+const STANDS_OUT = vec2f(0.4, 2.5);   // glitter over the water's other light from where on, and where all of it sparkles
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
@@ -70,11 +71,11 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;
-    // Where the sky outshines the mean of the facets single ones do not stand out.
-    let standing_out = smoothstep(0.1, 0.6, glints.g / max(reflected.g, 1e-9));
-    let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let through = (mix(bed_radiance(w.bed, w.kind, down), body, w.alpha) + w.glow) * (1.0 - reflectance);
+    // Where all else outshines the mean of the facets single ones do not stand out.
+    let standing_out = smoothstep(STANDS_OUT.x, STANDS_OUT.y, glints.g / max(reflected.g + through.g, 1e-9));
+    let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     return mix((1.0 - w.foam.shade) * (reflected + sparkling * glints + through), foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }

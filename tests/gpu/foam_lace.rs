@@ -75,8 +75,7 @@ impl Lace {
     /// born when it covered everything.
     fn of(&self, share: f32, footprint: f32) -> [f64; 3] {
         let young = share.powf((foam::LIFETIME_S / foam::YOUNG_S) as f32);
-        let asked: Vec<_> =
-            self.places.iter().map(|&at| Asked { at, share, young, footprint, unused: 0.0 }).collect();
+        let asked: Vec<_> = self.places.iter().map(|&at| Asked { at, share, young, footprint, unused: 0.0 }).collect();
         let [found] = self.kernel.run::<_, [f32; 4]>(&self.gpu, &self.groups.each_ref(), &asked);
         [0, 1, 2].map(|part| found.iter().map(|found| f64::from(found[part])).sum::<f64>() / found.len() as f64)
     }
