@@ -6,6 +6,7 @@ struct FoamStep {
     previous: array<vec4i, FOAM_LEVELS>,   // texel of the eye at the last step; z: 1 where the level was not kept up; w unused
     grow: vec4f,               // exp(-dt / growth time), by level
     keep: vec4f,               // exp(-dt / lifetime)
+    keep_young: vec4f,         // exp(-dt / lifetime of young foam)
     empty: u32,                // 1: there is no history
     cells: u32,                // wave cells that serve the map, the first of all
     due: u32,                  // a bit for each level that time passes on, and whose waves ever fold; one at least where time passes
@@ -17,6 +18,9 @@ struct FoamStep {
 
 // A cascade's longest waves are a sixth of it: under two footprints, of which the filter leaves next to nothing.
 const SHORTEST_PATCH_TEXELS: f32 = 10.0;
+
+// How far before the fold its foam comes to lie, of the width that breaks as one; ours.
+const FALLS: f32 = 1.2;
 
 // The texel of the world that is kept in a slot while the eye is in texel `eye`.
 fn world_texel(slot: vec2i, eye: vec2i) -> vec2i {
@@ -59,35 +63,48 @@ fn is_known(world: vec2i, level: u32) -> bool {
     return now.previous[level].z == 0 && all(was >= vec2i(-FOAM_TEXELS / 2)) && all(was < vec2i(FOAM_TEXELS / 2));
 }
 
-// What the map knows of the texel of the world in a slot of a level.
-fn known(slot: vec2i, before: vec4f, level: u32) -> f32 {
+// What the map knows of the texel of the world in a slot of a level: all foam, and the young.
+fn known(slot: vec2i, before: vec4f, young: vec4f, level: u32) -> vec2f {
     let here = frame.foam_levels[level];
     // Nothing that this level can hold folds: it has its share everywhere.
-    if here.threshold < -1e8 { return frame.whitecaps; }
-    if now.empty == 1u { return 0.0; }
+    if here.threshold < -1e8 { return vec2f(frame.whitecaps, usual_young(frame.whitecaps)); }
+    if now.empty == 1u { return vec2f(0.0); }
     let world = world_texel(slot, here.texel);
-    if is_known(world, level) { return before[level]; }
+    if is_known(world, level) { return vec2f(before[level], young[level]); }
     // New in this level: a coarser one knows the place.
     for (var coarser = level + 1u; coarser < FOAM_LEVELS; coarser++) {
         let at = (vec2f(world - here.texel) + 0.5 - here.fraction) * here.side / frame.foam_levels[coarser].side;
         let texels = frame.foam_levels[coarser].fraction + at;
         if is_known(frame.foam_levels[coarser].texel + vec2i(floor(texels)), coarser) {
-            return foam_between(frame.foam_levels[coarser].texel, texels, coarser);
+            let origin = frame.foam_levels[coarser].texel;
+            return vec2f(foam_between(origin, texels, coarser, ALL_FOAM), foam_between(origin, texels, coarser, YOUNG_FOAM));
         }
     }
-    return 0.0;
+    return vec2f(0.0);
 }
 
-fn all_known(slot: vec2i) -> vec4f {
-    let before = textureLoad(foam_map, slot, 0);
-    return vec4f(known(slot, before, 0u), known(slot, before, 1u), known(slot, before, 2u), known(slot, before, 3u));
+struct Known { all: vec4f, young: vec4f }
+
+fn all_known(slot: vec2i) -> Known {
+    let all = textureLoad(foam_map, slot, 0);
+    let young = textureLoad(foam_map, slot + YOUNG_FOAM, 0);
+    let first = known(slot, all, young, 0u);
+    let second = known(slot, all, young, 1u);
+    let third = known(slot, all, young, 2u);
+    let fourth = known(slot, all, young, 3u);
+    return Known(vec4f(first.x, second.x, third.x, fourth.x), vec4f(first.y, second.y, third.y, fourth.y));
+}
+
+fn store(slot: vec2i, found: Known) {
+    textureStore(next, slot, found.all);
+    textureStore(next, slot + YOUNG_FOAM, found.young);
 }
 
 // The levels follow the eye; no time passes.
 @compute @workgroup_size(8, 8)
 fn follow(@builtin(global_invocation_id) id: vec3u) {
     let slot = vec2i(id.xy);
-    textureStore(next, slot, all_known(slot));
+    store(slot, all_known(slot));
 }
 
 @compute @workgroup_size(8, 8)
@@ -100,14 +117,18 @@ fn advance(@builtin(global_invocation_id) id: vec3u) {
     loop {
         let level = firstTrailingBit(left);
         let here = frame.foam_levels[level];
-        let foam = after[level];
+        let foam = after.all[level];
+        let young = after.young[level];
         let world = world_texel(slot, here.texel);
         let offset = (vec2f(world - here.texel) + 0.5 - here.fraction) * here.side;
-        let p = offset.x * axis_x + offset.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
+        // What breaks falls down the wave's lee: foam lies before the fold.
+        let fallen = offset + FALLS * here.breaking * wave_cells[0].wind;
+        let p = fallen.x * axis_x + fallen.y * axis_y - frame.eye_altitude * cross(axis_x, axis_y);
         let breaking = clamp((here.threshold - smaller_eigenvalue(p, here.breaking)) / here.softness, 0.0, 1.0);
-        after[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
+        after.all[level] = breaking + (foam - breaking) * select(now.keep[level], now.grow[level], breaking > foam);
+        after.young[level] = breaking + (young - breaking) * select(now.keep_young[level], now.grow[level], breaking > young);
         left &= left - 1u;
         if left == 0u { break; }
     }
-    textureStore(next, slot, after);
+    store(slot, after);
 }

@@ -69,7 +69,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
-        let foam = mean_foam(calmed * share_from_afar(0.0, across / pow(grazing, 0.65)), calmed);
+        let whitecaps = calmed * share_from_afar(0.0, across / pow(grazing, 0.65));
+        let foam = mean_foam(whitecaps, usually_dense_from(whitecaps), calmed);
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.
         let rough = slopes_at(rest, distance, footprint).rough;

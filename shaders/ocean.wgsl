@@ -17,6 +17,7 @@
 
 const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
+const FOLDED = 0.45;           // how much the folds of short waves decide where foam lies
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
 // Radiance of the scene in a pixel.
@@ -126,14 +127,24 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
-    let foam_footprint = across / pow(grazing, 0.65);
+    // A face that a wave turns to the eye shows more of it.
+    let faced = clamp(sqrt(right * down) / footprint, 0.1, 1.0);
+    let foam_footprint = faced * across / pow(grazing, 0.65);
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        if FINE { facets = facets_at(foam_at, across, grazing); }
-        foam = foam_of(calmed * foam_share(foam_at, in.height, foam_footprint), calmed, lace_at(foam_at, footprint));
+        let shares = calmed * foam_share(foam_at, in.height, foam_footprint, FINE);
+        var seen = lace_at(foam_at, faced * footprint);
+        var dense = usually_dense_from(shares.x);
+        if FINE {
+            facets = facets_at(foam_at, across, grazing);
+            seen = on_folds(seen, slopes.folds, FOLDED);
+            dense = dense_from(shares.y);
+        }
+        foam = foam_of(shares.x, dense, calmed, seen);
     } else {
-        foam = mean_foam(calmed * share_from_afar(in.height, foam_footprint), calmed);
+        let share = calmed * share_from_afar(in.height, foam_footprint);
+        foam = mean_foam(share, usually_dense_from(share), calmed);
     }
     var light = daylight_at(dot(frame.light, up));
     if CLOUDS { light = clouded_daylight(light, rest, up, footprint); }

@@ -1,7 +1,9 @@
-// The foam map where it is drawn: share of the water covered by whitecaps.
+// The foam map where it is drawn: share of the water covered by whitecaps, and by those that have just been made.
 #import domain
 
 @group(1) @binding(4) var foam_map: texture_2d<f32>;    // a channel per level; see src/scene/sea/foam.rs
+const ALL_FOAM = vec2i(0);     // where in the map all foam lies, and the young
+const YOUNG_FOAM = vec2i(0, FOAM_TEXELS);
 
 const FOAM_FOLDS = 0u;         // rules of frame.foam_rule: the map; the water's height; the wind's share everywhere
 const FOAM_HEIGHT = 1u;
@@ -28,15 +30,17 @@ fn share_from_afar(height: Metres, footprint: Metres) -> f32 {
 }
 
 // The map between four texels, in full precision: samplers' weights have eight bits and differ from one driver to the next, which the
-// edges of the lace would show. `texels`: from the corner of the eye's texel.
-fn foam_between(origin: vec2i, texels: vec2f, level: u32) -> f32 {
+// edges of the lace would show. `texels`: from the corner of the eye's texel; `part`: ALL_FOAM or YOUNG_FOAM.
+fn foam_between(origin: vec2i, texels: vec2f, level: u32, part: vec2i) -> f32 {
     let v = texels - 0.5;
     let cell = origin + vec2i(floor(v));
     let f = v - floor(v);
     let mask = vec2i(FOAM_TEXELS - 1);
-    return mix(
-        mix(textureLoad(foam_map, cell & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 0)) & mask, 0)[level], f.x),
-        mix(textureLoad(foam_map, (cell + vec2i(0, 1)) & mask, 0)[level], textureLoad(foam_map, (cell + vec2i(1, 1)) & mask, 0)[level], f.x), f.y);
+    let a = textureLoad(foam_map, (cell & mask) + part, 0)[level];
+    let b = textureLoad(foam_map, ((cell + vec2i(1, 0)) & mask) + part, 0)[level];
+    let c = textureLoad(foam_map, ((cell + vec2i(0, 1)) & mask) + part, 0)[level];
+    let d = textureLoad(foam_map, ((cell + vec2i(1, 1)) & mask) + part, 0)[level];
+    return mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
 }
 
 // Weight of a level whose texels are as wide as `side`: 1 for footprints under 0.35 of that, 0 over 2.5 times that. Even in the
@@ -45,15 +49,19 @@ fn coarser_than(side: Metres, footprint: Metres) -> f32 {
     return clamp((1.32 - log2(footprint / side)) / 2.82, 0.0, 1.0);
 }
 
-// Share covered, 0…1, of a rest point with the water at `height`. Each level serves as far as it reaches and while its texels are
+// Young foam of a share whose history is not known: as much as decay at one rate leaves of what decays at another, from a whole cover on.
+fn usual_young(share: f32) -> f32 { return share * share * share * share; }
+
+// Shares covered, 0…1, of a rest point with the water at `height`: by all foam, and by young foam, which is sought if `aged`. Each level serves as far as it reaches and while its texels are
 // not much finer than the footprint; what no level serves has the share that the wind asks for.
-fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
-    let beyond = share_from_afar(height, footprint);
+fn foam_share(at: vec2f, height: Metres, footprint: Metres, aged: bool) -> vec2f {
+    let afar = share_from_afar(height, footprint);
+    let beyond = vec2f(afar, usual_young(afar));
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
     // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.
     let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
     var open = 1.0;
-    var share = 0.0;
+    var share = vec2f(0.0);
     var first = 0u;
     while first + 1u < FOAM_LEVELS && coarser_than(frame.foam_levels[first].side, footprint) <= 0.0 { first++; }
     var level = first;
@@ -61,7 +69,11 @@ fn foam_share(at: vec2f, height: Metres, footprint: Metres) -> f32 {
         let here = frame.foam_levels[level];
         let reach = max(abs(at.x), abs(at.y)) / (here.side * f32(FOAM_TEXELS / 2));
         let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(here.side, footprint);
-        if weight > 0.0 { share += weight * foam_between(here.texel, here.fraction + at / here.side, level); }
+        if weight > 0.0 {
+            let texels = here.fraction + at / here.side;
+            share.x += weight * foam_between(here.texel, texels, level, ALL_FOAM);
+            if aged { share.y += weight * foam_between(here.texel, texels, level, YOUNG_FOAM); }
+        }
         open -= weight;
         level++;
         if level == FOAM_LEVELS || open <= 0.0 { break; }

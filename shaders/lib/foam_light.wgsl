@@ -10,12 +10,13 @@ const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its 
 struct Foam {
     white: f32,            // opacity, 0…1: the reflectance over that of dense foam
     plume: f32,            // share of the water below that is full of bubbles
+    shade: f32,            // light that it takes from the water beside it, of all
     slope: vec2f,          // of the foam's own surface on the water's, x east, y north
 }
 
 // Foam of no shape.
 fn flat_foam(white: f32, plume: f32) -> Foam {
-    return Foam(white, plume, vec2f(0.0));
+    return Foam(white, plume, 0.0, vec2f(0.0));
 }
 
 // Radiance of dense foam on water with a `normal`; `sun` and `ambient` are irradiances, of a plane that faces the sun and of a level one.

@@ -13,23 +13,36 @@ const LACE_GREATEST_SLOPE: f32 = 1.0;
 
 // Where foam begins it is thin: with this opacity whitecaps reflect 0.22 where they cover little (P. Koepke 1984), thick ones FOAM_ALBEDO.
 const THIN_FOAM: f32 = 0.4;
+// of which half comes about at the water's edge and the rest by and by:
+const FRINGE: f32 = 0.3;
+const CORE_FROM: f32 = 0.6;
+const CORE_RAMP: f32 = 0.9;
 // Levels are deviations of g above the threshold. Widths of the edge of the water, of the passage to thick foam, and where that begins:
 const EDGE_RAMP: f32 = 0.15;
 const THICK_FROM: f32 = 1.45;
 const THICK_RAMP: f32 = 0.35;
+// Of young foam so much is dense: there are holes between its heaps.
+const CLOSED: f32 = 0.7;
+// Dense foam is whitest where it lies in heaps: from how much higher on, and how much of its opacity these are.
+const HEAPED_FROM: f32 = 1.2;
+const HEAPS: f32 = 0.5;
+// The lip of dense foam shades the water before it: this wide, in deviations, and so much.
+const SHADED: f32 = 0.6;
+const SHADE: f32 = 0.45;
 // The film: how much lower than foam it lies about it, the width of its edge, where two fifths of its opacity come about, and of the rest.
 const FILM_AROUND: f32 = 0.5;
 const FILM_EDGE: f32 = 0.2;
 const FILM_RAMP: f32 = 0.8;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
 const ROWS = vec2f(0.3, 0.42);
-const NETS = vec3f(0.56, 0.28, 0.16);
+const NETS = vec3f(0.42, 0.2, 0.38);
 // Thin foam and film are rafts of bubbles with water between, on a net of their own: rafts' share of thin foam, and what is white of a raft
 // in the film.
 const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.55;
 const RAFT_EDGE: f32 = 0.3;
-const FOAM_RISE: Metres = 0.035;     // height of thick foam over thin
+const FOAM_RISE: Metres = 0.06;      // height of thick foam over thin
+const BUMPS = vec3f(0.022, 0.008, 0.004);   // and how much of it levels of the nets are, metres
 
 // The inverse of the normal distribution function, within 4.5e-4 (M. Abramowitz and I. Stegun 1964, 26.2.23).
 fn normal_quantile(share: f32) -> f32 {
@@ -76,6 +89,7 @@ struct Lace {
     hidden: vec2f,
     slope: vec2f,          // of the foam's level, per metre, along the wind and across it
     rafts: vec2f,          // how much more than their mean a pixel shows of the rafts of thin foam and of film
+    bumps: vec2f,          // slope of dense foam's surface, along the wind and across it
 }
 
 // Share of the film that has bubbles.
@@ -93,9 +107,9 @@ fn lace_at(at: vec2f, footprint: Metres) -> Lace {
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
     let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
     // Nets of 12.8, 3.6 and 57 m, none of them turned like another; rows of 256 m, eight times as long along the wind.
-    let middle = net(vec2i(4, -3), vec2i(256), texels, footprint);
-    let fine = net(vec2i(2, -1), vec2i(32), texels, footprint);
-    let coarse = net(vec2i(2, 1), vec2i(512), texels, footprint);
+    let middle = net(vec2i(4, -1), vec2i(512, 256), texels, footprint);
+    let fine = net(vec2i(7, 2), vec2i(128, 64), texels, footprint);
+    let coarse = net(vec2i(3, 1), vec2i(1024, 512), texels, footprint);
     let rows = net(vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
     // And one of 1.57 m, for bubbles.
     let bubbles = net(vec2i(5, -1), vec2i(32), texels, footprint);
@@ -108,8 +122,20 @@ fn lace_at(at: vec2f, footprint: Metres) -> Lace {
     // Rows have no shape of their own.
     return Lace(vec2f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), levels)), 1.0 - vec2f(dot(of_foam, kept), dot(of_film, kept)),
         mat3x2f(middle.slope, fine.slope, coarse.slope) * sqrt(of_foam.xyz),
-        vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())));
+        vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())), mat3x2f(middle.slope, fine.slope, bubbles.slope) * BUMPS);
 }
+
+// The lace where foam is drawn together by the folds of short waves, whose own level is normal, too: a share of its variance is theirs.
+fn on_folds(seen: Lace, folds: vec2f, share: f32) -> Lace {
+    var found = seen;
+    found.level.x = sqrt(1.0 - share) * seen.level.x + sqrt(share) * folds.x;
+    found.hidden.x = mix(seen.hidden.x, 1.0 - folds.y, share);
+    return found;
+}
+
+// Above which level foam is dense: of young foam that covers a share, and where no more is known than the share of all foam.
+fn dense_from(young: f32) -> f32 { return -normal_quantile(CLOSED * young) * sqrt(1.0 + THICK_RAMP * THICK_RAMP); }
+fn usually_dense_from(share: f32) -> f32 { return THICK_FROM - excess(share, 0.0); }
 
 // How far levels lie above those of the water's edge where a share is covered; its edges spread by EDGE_RAMP.
 fn excess(share: f32, level: f32) -> f32 {
@@ -121,16 +147,24 @@ fn covered(excess: f32, hidden: f32) -> f32 {
     return normal_share(excess * inverseSqrt(hidden + EDGE_RAMP * EDGE_RAMP));
 }
 
-// Foam that the lace makes of a share; `calmed` is the part of the open sea's waves that the depth leaves.
-fn foam_of(share: f32, calmed: f32, seen: Lace) -> Foam {
+// Opacity of foam that is not thick.
+fn thin_foam(excess: f32, inside: f32, hidden: f32) -> f32 {
+    let core = normal_share((excess - CORE_FROM) * inverseSqrt(hidden + CORE_RAMP * CORE_RAMP));
+    return THIN_FOAM * (FRINGE * inside + (1.0 - FRINGE) * core);
+}
+
+// Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's waves that the depth leaves.
+fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace) -> Foam {
     let above = excess(share, seen.level.x);
     let film = film_opacity();
     let deviation = inverseSqrt(seen.hidden.x + THICK_RAMP * THICK_RAMP);
-    let rise = (above - THICK_FROM) * deviation;
+    let rise = (seen.level.x - dense_from) * deviation;
     // Where it is thick it is closed.
     let thick = normal_share(rise);
     let inside = covered(above, seen.hidden.x);
-    let white = THIN_FOAM * mix(seen.rafts.x, 1.0, thick) * inside + (1.0 - THIN_FOAM - film) * thick;
+    let heaped = normal_share(rise - HEAPED_FROM * deviation);
+    let white = thin_foam(above, inside, seen.hidden.x) * mix(seen.rafts.x, 1.0, thick)
+        + (1.0 - THIN_FOAM - film) * mix(thick, heaped, HEAPS);
     let threshold = max(normal_quantile(calmed * film_share()), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
     // Within thin foam the film lies between the rafts.
@@ -142,21 +176,24 @@ fn foam_of(share: f32, calmed: f32, seen: Lace) -> Foam {
     let wind = wave_cells[0].wind;
     let axis_x = wave_cells[0].axis_x.xy;
     let axis_y = wave_cells[0].axis_y.xy;
-    let tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
-    return Foam(white + faint, max(plume, 2.5 * min(faint, film)),
+    let tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope + mix(0.4, 1.0, thick) * seen.bumps;
+    let shade = SHADE * (normal_share(rise + SHADED * deviation) - thick);
+    return Foam(white + faint, max(plume, 2.5 * min(faint, film)), shade,
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 
 // Foam in pixels that hide all of the lace.
 // It is foam_of where levels are hidden whole, with what is then known put in.
-fn mean_foam(share: f32, calmed: f32) -> Foam {
+fn mean_foam(share: f32, dense_from: f32, calmed: f32) -> Foam {
     let quantile = normal_quantile(share);
     let above = quantile * sqrt(1.0 + EDGE_RAMP * EDGE_RAMP);
-    let thick = normal_share((above - THICK_FROM) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
+    let thick = normal_share(-dense_from * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
     let film = film_opacity();
-    let white = THIN_FOAM * share + (1.0 - THIN_FOAM - film) * thick;
+    let heaped = normal_share(-(dense_from + HEAPED_FROM) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
+    let white = thin_foam(above, share, 1.0) + (1.0 - THIN_FOAM - film) * mix(thick, heaped, HEAPS);
     let threshold = max(normal_quantile(calmed * film_share()), quantile + FILM_AROUND);
     let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
-    return flat_foam(white + faint, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)));
+    let shade = SHADE * (normal_share((SHADED - dense_from) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP)) - thick);
+    return Foam(white + faint, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)), shade, vec2f(0.0));
 }

@@ -7,6 +7,7 @@
 #import water_types
 
 const OPAQUE_ALPHA: f32 = 0.996; // of water from which on nothing of the bed can be seen
+const STANDS_OUT = vec2f(0.4, 2.5);   // glitter over the water's other light from where on, and where all of it sparkles
 
 fn water_alpha(depth: Metres) -> f32 {
     return clamp(1.0 - exp(-frame.water_density * max(depth, 0.0)), 0.0, 1.0);
@@ -76,13 +77,13 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;
-    // Where the sky outshines the mean of the facets single ones do not stand out.
-    let standing_out = smoothstep(0.1, 0.6, glints.g / max(reflected.g, 1e-9));
-    let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let way = w.bed.way * frame.water_density / USUAL_DENSITY;
     let shallow = bed_radiance(Bed(w.bed.radiance, way), w.kind, down) + body * (1.0 - left_of_way(way, w.kind));
     let through = (mix(shallow, body, smoothstep(BED_FADES, OPAQUE_ALPHA, w.alpha)) + w.glow) * (1.0 - reflectance);
-    return mix(reflected + sparkling * glints + through, foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
+    // Where all else outshines the mean of the facets single ones do not stand out.
+    let standing_out = smoothstep(STANDS_OUT.x, STANDS_OUT.y, glints.g / max(reflected.g + through.g, 1e-9));
+    let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
+    return mix((1.0 - w.foam.shade) * (reflected + sparkling * glints + through), foam_radiance(w.foam, w.normal, frame.light, sun, ambient), w.foam.white);
 }

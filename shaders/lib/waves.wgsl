@@ -65,6 +65,7 @@ struct Slopes {
     slope: vec2f,          // true slope of the displaced surface
     rough: vec2f,          // slope variance that the footprint hides, along the wind and across it
     fold: f32,             // Jacobian determinant of the chop: below 0 the crest folds
+    folds: vec2f,          // how much the chop draws the water together, a normal level, and its variance, 1 where a footprint hides nothing
 }
 
 fn cascade_slopes(c: u32) -> vec2f {
@@ -77,7 +78,7 @@ fn cascade_slopes(c: u32) -> vec2f {
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
-    if !(WAVES || NOISE) || !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0); }
+    if !(WAVES || NOISE) || !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0, vec2f(0.0)); }
     let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(slopes).x);
     var slope = vec2f(0.0);
@@ -138,5 +139,8 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let jyy = 1.0 + gradient.y;
     let fold = jxx * jyy - gradient.z * gradient.z;
     let true_slope = vec2f(jyy * slope.x - gradient.z * slope.y, jxx * slope.y - gradient.z * slope.x) / max(fold, LEAST_JACOBIAN);
-    return Slopes(true_slope, rough, fold);
+    // The chop's divergence has the variance of the slopes.
+    let total = all.x + all.y;
+    let folds = vec2f(-(gradient.x + gradient.y) / max(frame.chop * sqrt(total), 1e-3), saturate(1.0 - (rough.x + rough.y) / max(total, 1e-6)));
+    return Slopes(true_slope, rough, fold, folds);
 }

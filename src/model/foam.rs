@@ -19,6 +19,9 @@ pub use thresholds::{INSTANTS, POINTS, SHORTEST_PATCH_TEXELS, Simulation, folds,
 
 /// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
 pub const LIFETIME_S: f64 = 3.85;
+/// E-folding time of the young foam of a whitecap, s: what still stands high and dense where the crest broke,
+/// oceanographers' stage A. The time is our own, by what photographs show.
+pub const YOUNG_S: f64 = 1.0;
 /// Time in which a breaking crest turns white to 1 − 1/e, s.
 pub const GROWTH_S: f64 = 0.25;
 
@@ -29,6 +32,11 @@ pub fn relaxed(foam: f64, equilibrium: f64, dt_s: f64, lifetime_s: f64) -> f64 {
         return equilibrium;
     }
     equilibrium + (foam - equilibrium) * libm::exp(-dt_s.max(0.0) / lifetime_s)
+}
+
+/// How long foam of a lifetime in seconds stays young, s.
+pub fn young_s(lifetime_s: f64) -> f64 {
+    lifetime_s * YOUNG_S / LIFETIME_S
 }
 
 /// F after `dt_s` seconds that began with `foam`, while the share `breaking` (0…1) breaks.

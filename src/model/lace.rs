@@ -28,8 +28,8 @@ pub const GREATEST_SLOPE: f32 = 1.0;
 const NETS: [(usize, f32); 3] = [(7, 1.0), (19, 0.7), (53, 0.42)];
 /// Cells along a side of the noise that bends the ground, and by how much, tiles.
 const BENDS: [(usize, f32); 2] = [(6, 0.05), (17, 0.014)];
-/// As [`NETS`], of the noise that makes some walls thicker than others.
-const UNEVEN: (usize, f32) = (5, 0.8);
+/// As [`NETS`], of the noise that makes some walls thicker than others, and breaks them.
+const UNEVEN: [(usize, f32); 3] = [(5, 0.8), (13, 0.75), (37, 0.3)];
 /// Steps of the distribution function that is taken.
 const BINS: usize = 1 << 12;
 
@@ -112,7 +112,8 @@ pub fn levels() -> Vec<f32> {
     let bend =
         |(&(cells, by), k): (&(usize, f32), u32)| ([0, 1].map(|axis| Smooth::new(cells, 100 + 10 * k + axis)), by);
     let bends: Vec<_> = BENDS.iter().zip(0..).map(bend).collect();
-    let uneven = Smooth::new(UNEVEN.0, 200);
+    let uneven: Vec<_> =
+        UNEVEN.iter().zip(200..).map(|(&(cells, weight), salt)| (Smooth::new(cells, salt), weight)).collect();
     let level = |k: usize| {
         let at = [k % TEXELS, k / TEXELS].map(|k| (k as f32 + 0.5) / TEXELS as f32);
         let mut bent = at;
@@ -122,7 +123,8 @@ pub fn levels() -> Vec<f32> {
             }
         }
         let walls: f32 = nets.iter().map(|(net, weight)| weight * net.wall(bent)).sum();
-        UNEVEN.1 * uneven.at(at) - walls
+        let thickness: f32 = uneven.iter().map(|(noise, weight)| weight * noise.at(at)).sum();
+        thickness - walls
     };
     let mut field: Vec<f32> = (0..TEXELS * TEXELS).map(level).collect();
     made_normal(&mut field);

@@ -39,14 +39,14 @@ pub struct Foam {
 }
 
 impl Foam {
-    /// Empty maps; `frame` and `surface` are the layouts of bind groups 0 and 1.
+    /// Empty maps, all foam over the young; `frame` and `surface` are the layouts of bind groups 0 and 1.
     pub fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, surface: &wgpu::BindGroupLayout) -> Self {
         let binds = [Bind::Uniform, Bind::Write(FORMAT, wgpu::TextureViewDimension::D2)];
         let layout = gpu.layout("foam", wgpu::ShaderStages::COMPUTE, &binds);
         let pipelines = gpu.compute("foam", &source(), &[frame, surface, &layout], ["advance", "follow"]);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let step = gpu.empty_buffer("foam step", usage, size_of::<FoamStep>() as u64);
-        let shape = Shape::picture(TEXELS as u32, TEXELS as u32);
+        let shape = Shape::picture(TEXELS as u32, 2 * TEXELS as u32);
         let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;
         let textures = [0, 1].map(|_| gpu.texture("foam", shape, FORMAT, usage));
         let maps = textures.each_ref().map(texture::view);

@@ -3,8 +3,8 @@
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader, texture};
-use ocean_globe::model::noise;
-use ocean_globe::pass::foam;
+use ocean_globe::model::{foam, noise};
+use ocean_globe::pass;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
@@ -12,7 +12,7 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import lace
-struct Asked { at: vec2f, share: f32, footprint: f32 }
+struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, unused: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<vec3f>;
 @compute @workgroup_size(64)
@@ -20,8 +20,9 @@ fn foamy(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let own = asked[id.x];
     let seen = lace_at(own.at, own.footprint);
-    found[id.x] = vec3f(covered(excess(own.share, seen.level.x), seen.hidden.x), foam_of(own.share, 1.0, seen).white,
-        mean_foam(own.share, 1.0).white);
+    let dense = dense_from(own.young);
+    found[id.x] = vec3f(covered(excess(own.share, seen.level.x), seen.hidden.x), foam_of(own.share, dense, 1.0, seen).white,
+        mean_foam(own.share, dense, 1.0).white);
 }";
 
 #[repr(C)]
@@ -29,7 +30,9 @@ fn foamy(@builtin(global_invocation_id) id: vec3u) {
 struct Asked {
     at: [f32; 2],
     share: f32,
+    young: f32,
     footprint: f32,
+    unused: f32,
 }
 
 /// Shares of the water under whitecaps: of a breeze, whose foam has neither rows nor a film, and of a storm.
@@ -54,8 +57,8 @@ impl Lace {
         let surface = [Bind::Texture(wgpu::TextureViewDimension::D2); 12];
         let layouts = [kernel::frame_layout(&gpu), gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &surface)];
         let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let lace = foam::empty_lace(&gpu);
-        foam::fill_lace(&gpu, &lace);
+        let lace = pass::foam::empty_lace(&gpu);
+        pass::foam::fill_lace(&gpu, &lace);
         let tile = texture::view(&lace);
         let groups = [
             kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells),
@@ -68,9 +71,11 @@ impl Lace {
         Self { gpu, groups, kernel, places: (0..POINTS).map(place).collect() }
     }
 
-    /// Means over all places of what is covered and of the opacity, and what the opacity is where pixels hide the lace.
+    /// Means over all places of what is covered and of the opacity, and what the opacity is where pixels hide the lace, of foam that was
+    /// born when it covered everything.
     fn of(&self, share: f32, footprint: f32) -> [f64; 3] {
-        let asked: Vec<_> = self.places.iter().map(|&at| Asked { at, share, footprint }).collect();
+        let young = share.powf((foam::LIFETIME_S / foam::YOUNG_S) as f32);
+        let asked: Vec<_> = self.places.iter().map(|&at| Asked { at, share, young, footprint, unused: 0.0 }).collect();
         let [found] = self.kernel.run::<_, [f32; 4]>(&self.gpu, &self.groups.each_ref(), &asked);
         [0, 1, 2].map(|part| found.iter().map(|found| f64::from(found[part])).sum::<f64>() / found.len() as f64)
     }

@@ -8,7 +8,7 @@ use ocean_globe::model::{foam, wave_domain};
 use ocean_globe::pass::fft::{Fft, Precision, WaveData};
 use ocean_globe::pass::foam::Foam;
 use ocean_globe::scene::frame::{Frame, FrameUniform};
-use ocean_globe::scene::sea::foam::{FoamEye, LEVELS, TEXELS_M};
+use ocean_globe::scene::sea::foam::{FoamEye, LEVELS, TEXELS, TEXELS_M};
 use ocean_globe::scene::sea::foam_history::{FoamStep, History};
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
@@ -35,7 +35,7 @@ pub struct Sea {
     pub gpu: Gpu,
     pub frame: Frame,
     fft: Fft,
-    layouts: [wgpu::BindGroupLayout; 2],
+    pub layouts: [wgpu::BindGroupLayout; 2],
     pub lifetime_s: f64,
 }
 
@@ -93,6 +93,23 @@ impl Sea {
             self.fft.dispatch_stretches(&mut pass);
         }
         self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Waves at an instant, their shape with all mip levels.
+    pub fn run_whole(&self, now: u64) {
+        self.fft.set_time(&self.gpu, now);
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            self.fft.dispatch(&mut pass);
+            self.fft.dispatch_mips(&mut pass);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// The bind groups of the frame and of the waves that a map lies on.
+    pub fn groups<'a>(&self, map: &'a Map) -> [&'a wgpu::BindGroup; 2] {
+        [&map.frame, &map.surfaces[map.foam.current()]]
     }
 
     /// Brings a map to an instant whose waves are there.
@@ -155,6 +172,11 @@ impl Sea {
         self.texels(map).into_iter().map(|texel| texel[level]).collect()
     }
 
+    /// Young foam of one level of a map, by slot.
+    pub fn young(&self, map: &Map, level: usize) -> Vec<f32> {
+        self.part(map, 1).into_iter().map(|texel| texel[level]).collect()
+    }
+
     /// Mean foam of each level of a map.
     pub fn means(&self, map: &Map) -> [f64; LEVELS] {
         let texels = self.texels(map);
@@ -164,7 +186,14 @@ impl Sea {
     }
 
     fn texels(&self, map: &Map) -> Vec<[f32; LEVELS]> {
+        self.part(map, 0)
+    }
+
+    /// All foam of a map, or the young.
+    fn part(&self, map: &Map, part: usize) -> Vec<[f32; LEVELS]> {
         let bytes = self.gpu.read_texture(&map.foam.textures[map.foam.current()], 0, 0).unwrap();
-        bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect()
+        let texels = bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned);
+        let count = (TEXELS * TEXELS) as usize;
+        texels.skip(part * count).take(count).collect()
     }
 }

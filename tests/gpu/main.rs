@@ -11,6 +11,7 @@ mod exact;
 mod far_sea;
 mod fft;
 mod foam_coverage;
+mod foam_crests;
 mod foam_history;
 mod foam_lace;
 mod foam_map;

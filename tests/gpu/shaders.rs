@@ -140,7 +140,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         foam::source(),
         "FoamStep",
         foam_history::FoamStep,
-        [previous, grow, keep, empty, cells, due, unused]
+        [previous, grow, keep, keep_young, empty, cells, due, unused]
     );
     let block = [ocean::source(Look::default()), bisect::source()];
     for source in block {

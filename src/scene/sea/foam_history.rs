@@ -26,6 +26,7 @@ pub struct FoamStep {
     pub previous: [[i32; 4]; LEVELS],
     pub grow: [f32; LEVELS],
     pub keep: [f32; LEVELS],
+    pub keep_young: [f32; LEVELS],
     pub empty: u32,
     pub cells: u32,
     pub due: u32,
@@ -124,6 +125,7 @@ impl History {
             // The first instant of a replay has no time before it: crests that break then count as white.
             grow: if last.empty { [0.0; LEVELS] } else { each(&|level| foam::ungrown(breaking_m[level], dt_s(level))) },
             keep: each(&|level| (-dt_s(level) / lifetime_s).exp()),
+            keep_young: each(&|level| (-dt_s(level) / foam::young_s(lifetime_s)).exp()),
             empty: u32::from(last.empty),
             cells: eye.cells,
             due: (0..LEVELS).filter(|&level| passes(level)).map(|level| 1 << level).sum(),
