@@ -1,6 +1,7 @@
 // The sea: either mesh (lib/sea_mesh.wgsl), shaded over what the land pass left. The water class
 // decides what is sea, never the depth buffer. `MEASURED`, `UNDER_WATER`, `SPRAY` and `FINE` are of src/pass/kind.rs; what of the sea shows at all
-// is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share.
+// is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share,
+// `SURF` on shores.
 #import sea_mesh
 #import lace
 #import limb
@@ -8,6 +9,7 @@
 #import shore_pixels
 #import water
 #import spray
+#import surf
 #import translucence
 #import window
 #import output
@@ -37,11 +39,17 @@ struct Vertex {
     @location(0) rest: vec3f,          // on the ellipsoid
     @location(1) moved: vec3f,
     @location(2) height: f32,
+    @location(4) incoming: f32,        // height of the waves that break on shores
     @location(3) ahead: vec2f,         // the way to the water beyond, level, and how much higher that is; see `crest_light`
 }
 
 fn vertex_at(place: Place) -> Vertex {
-    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place));
+    var incoming = 0.0;
+    if SURF {
+        let dn = normal_delta(place.rest);
+        incoming = height_coming_in(map_point(dn), frame.sin_lat + sin_lat_delta(dn));
+    }
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, beyond(place));
 }
 
 @vertex
@@ -133,17 +141,19 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        let shares = calmed * foam_share(foam_at, in.height, foam_footprint, FINE);
+        var shares = calmed * foam_share(foam_at, in.height, foam_footprint, FINE);
         var seen = lace_at(foam_at, faced * footprint);
         var dense = usually_dense_from(shares.x);
         if FINE {
+            if SURF { shares = max(shares, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint)); }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);
         }
         foam = foam_of(shares.x, dense, calmed, seen);
     } else {
-        let share = calmed * share_from_afar(in.height, foam_footprint);
+        var share = calmed * share_from_afar(in.height, foam_footprint);
+        if SURF { share = max(share, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint).x); }
         foam = mean_foam(share, usually_dense_from(share), calmed);
     }
     var light = daylight_at(dot(frame.light, up));

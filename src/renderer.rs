@@ -225,7 +225,7 @@ impl Renderer {
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
             let samples = self.targets.as_ref().map_or(1, Targets::samples);
             for kind in [Some(kind), side.below()].into_iter().flatten() {
-                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind), samples);
+                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.near_shore), samples);
             }
             // Coarse tiles are far ones.
             let streaming = &self.streaming;
@@ -293,7 +293,7 @@ impl Renderer {
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            self.draw_sea(&mut pass, frame, kind, targets.samples());
+            self.draw_sea(&mut pass, frame, (kind, side.near_shore), targets.samples());
             self.passes.draw_backdrop(&mut pass, targets);
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
@@ -301,7 +301,7 @@ impl Renderer {
             pass.draw(&mut resume(encoder, "clouds", &radiance), part, frame_group, surface);
         }
         if let Some(kind) = side.below() {
-            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, kind, targets.samples());
+            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, (kind, false), targets.samples());
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
             self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
@@ -310,12 +310,12 @@ impl Renderer {
     }
 
     /// Draws the sea's surface for a kind of picture, where the frame shows it.
-    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, kind: Kind, samples: u32) {
+    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, (kind, near_shore): (Kind, bool), samples: u32) {
         if frame.uniform.layers & SHOWS_SEA == 0 {
             return;
         }
         let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
-        let look = Look::of(frame, kind);
+        let look = Look::of(frame, kind, near_shore);
         self.ocean.draw(pass, (frame, look, samples), frame_group, surface, self.mesh.drawn());
     }
 
@@ -331,8 +331,8 @@ impl Renderer {
     /// Where the eye of a frame is.
     fn side(&mut self, frame: &Frame) -> Side {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
-        let depth_m = self.world.sample_resident(lat, lon).and_then(|place| place.depth_m);
-        Side::of(frame, depth_m, self.radiance_format == Radiance::Half.format())
+        let place = self.world.sample_resident(lat, lon);
+        Side::of(frame, place.as_ref(), self.radiance_format == Radiance::Half.format())
     }
 
     /// Makes the textures of the picture's size.

@@ -44,7 +44,7 @@ struct BedCover { grass: f32, rock: f32 }
 fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres) -> BedCover {
     let edge = COVER_EDGE + blurred;
     let begun = smoothstep(COVER_BEGINS - edge, COVER_BEGINS + edge, vec2f(meadow, reef));
-    let grass = begun.x * (1.0 - smoothstep(15.0, 30.0, depth));
+    let grass = begun.x * smoothstep(0.7, 2.0, depth) * (1.0 - smoothstep(15.0, 30.0, depth));
     return BedCover(grass, begun.y * (1.0 - grass));
 }
 

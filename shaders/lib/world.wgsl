@@ -102,7 +102,7 @@ fn shaped_elevation(elevation: Metres, ocean_shore: Metres, resolution: Metres) 
     if ocean_shore > 0.0 {
         let raw = max(-elevation, 0.0);
         let depth = mix(min(raw, 0.03 * d), raw, smoothstep(0.0, resolution, d));
-        return -max(depth, min(0.01 * d, mix(4.0, 30.0, smoothstep(-1.0, 3.0, elevation))));
+        return -max(depth, min(0.01 * d, mix(30.0, 4.0, smoothstep(0.7 * resolution, 1.3 * resolution, d))));
     }
     let risen = elevation * smoothstep(0.0, resolution / 3.0, d);
     return select(risen, max(risen, min(0.01 * d, 2.0)), elevation >= 0.0);

@@ -9,8 +9,8 @@ pub fn smoothstep(a: f64, b: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Least depth of the ocean far from shores, metres: where the grid has water, and where it has land.
-const LEAST_M: [f64; 2] = [4.0, 30.0];
+/// Least depth of the ocean, metres: within a cell's width of the shore, and farther off.
+const LEAST_M: [f64; 2] = [30.0, 4.0];
 
 /// Elevation in metres, shaped so that it is below zero in the ocean and meets zero at the shore.
 ///
@@ -18,9 +18,9 @@ const LEAST_M: [f64; 2] = [4.0, 30.0];
 /// * `ocean_shore_m`: signed distance to the ocean's shore, positive in the ocean.
 /// * `resolution_m`: how wide a cell of the elevation's source is.
 ///
-/// In the ocean the bed falls at most 3 % from the shore until the grid can be trusted, and at least 1 % down to 4 m, so that
-/// water is never without depth: banks and lagoons stay as shallow as the grid has them. Where that has land instead, as in fjords that are narrower
-/// than its cells, down to 30 m. Land rises likewise, from 1 % up to 2 m; ground below sea level (polders, the Dead Sea) stays
+/// In the ocean the bed falls at most 3 % from the shore until the grid can be trusted, and at least 1 % down to 30 m, so that
+/// water is never without depth, and narrow fjords, which the grid takes for land, are no shoals. Farther off than a cell the grid's banks are as shallow as
+/// it has them, down to 4 m. Land rises likewise, from 1 % up to 2 m; ground below sea level (polders, the Dead Sea) stays
 /// below, and meets zero at the ocean's shore.
 pub fn shaped_elevation(elevation_m: f64, ocean_shore_m: f64, resolution_m: f64) -> f64 {
     let (r, d) = (resolution_m, ocean_shore_m.abs());
@@ -28,7 +28,7 @@ pub fn shaped_elevation(elevation_m: f64, ocean_shore_m: f64, resolution_m: f64)
         let raw = (-elevation_m).max(0.0);
         let near = raw.min(0.03 * d);
         let depth = near + (raw - near) * smoothstep(0.0, r, d);
-        let least = LEAST_M[0] + (LEAST_M[1] - LEAST_M[0]) * smoothstep(-1.0, 3.0, elevation_m);
+        let least = LEAST_M[0] + (LEAST_M[1] - LEAST_M[0]) * smoothstep(0.7 * r, 1.3 * r, d);
         return -depth.max((0.01 * d).min(least));
     }
     let scaled = elevation_m * smoothstep(0.0, r / 3.0, d);

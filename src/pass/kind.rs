@@ -30,6 +30,11 @@ impl Kind {
         })
     }
 
+    /// Whether the sea is drawn with surf where there are shores.
+    pub fn shows_surf(self) -> bool {
+        self.fine && !self.under_water
+    }
+
     /// That of a frame whose eye is in the sea or not, as only the world knows.
     pub fn of(frame: &Frame, under_water: bool) -> Self {
         let u = &frame.uniform;

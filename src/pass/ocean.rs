@@ -21,28 +21,32 @@ pub struct Look {
     pub noise: bool,
     /// The foam's map or its lace show.
     pub foam: bool,
+    /// Shores may be so near that their surf shows.
+    pub surf: bool,
 }
 
 impl Look {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
         Kind::all().flat_map(|kind| {
-            (0..8).map(move |bits: u8| {
-                let [waves, noise, foam] = [1, 2, 4].map(|bit| bits & bit != 0);
-                Self { kind, waves, noise, foam }
+            let looks = if kind.shows_surf() { 16 } else { 8 };
+            (0..looks).map(move |bits: u8| {
+                let [waves, noise, foam, surf] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
+                Self { kind, waves, noise, foam, surf }
             })
         })
     }
 
-    /// That of a frame of some kind.
-    pub fn of(frame: &Frame, kind: Kind) -> Self {
-        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam() }
+    /// That of a frame of some kind, with shores nearby or without.
+    pub fn of(frame: &Frame, kind: Kind, near_shore: bool) -> Self {
+        let surf = near_shore && kind.shows_surf();
+        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf }
     }
 }
 
 /// The composed shader.
-pub fn source(Look { kind, waves, noise, foam }: Look) -> String {
-    let shown = [("WAVES", waves), ("NOISE", noise), ("FOAM", foam)];
+pub fn source(Look { kind, waves, noise, foam, surf }: Look) -> String {
+    let shown = [("WAVES", waves), ("NOISE", noise), ("FOAM", foam), ("SURF", surf)];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/ocean.wgsl"), &(kind.definitions() + &shown))
 }

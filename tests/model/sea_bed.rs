@@ -14,7 +14,7 @@ fn far_from_the_shore_the_grid_holds() {
         assert_eq!(shaped_elevation(elevation, shore, R), elevation);
     }
     assert_eq!(shaped_elevation(-1.5, 2.0 * R, R), -4.0, "banks have at least 4 m of water");
-    assert_eq!(shaped_elevation(200.0, 2.0 * R, R), -30.0, "and fjords that the grid does not know 30");
+    assert_eq!(shaped_elevation(200.0, 0.5 * R, R), -30.0, "and fjords that the grid does not know 30");
     assert_eq!(shaped_elevation(-430.0, -2.0 * R, R), -430.0, "the Dead Sea stays below the sea, and dry");
 }
 

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::data::streaming::Streaming;
 use ocean_globe::data::tile::MapPoint;
-use ocean_globe::renderer::Radiance;
+use ocean_globe::model::optics;
+use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::{Frame, Output};
 use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::Settings;
@@ -193,4 +194,37 @@ fn an_eye_that_rides_through_a_trough_sees_the_sky() {
         let sky = seen.values.iter().take(16).filter(|class| class.is_nan()).count();
         assert_eq!(sky == 16, above, "{altitude_m} m: {:?}", &seen.values[..16]);
     }
+}
+
+/// Mean luminance that foam adds where the water is less than 3 m deep and where it is deeper, straight down on a shore of Lanzarote.
+fn whitened(renderer: &mut Renderer, wind: &str) -> [f64; 2] {
+    let mut layer = |name, layers: &str| {
+        let link =
+            format!("#view=28.8545,-13.792,4000&wind={wind}&clouds=0&quality=medium&time=2026-11-20T13:00:00Z{layers}");
+        render::measure(renderer, &render::parse_state(&link).unwrap(), [160, 90], name).unwrap().values
+    };
+    let [with, without] = ["", "&layers=-foam"].map(|layers| layer(LayerName::Luminance, layers));
+    let opacities = layer(LayerName::Mask, "");
+    let mut found = [(0.0, 0.0); 2];
+    for (opacity, added) in opacities.iter().zip(with.iter().zip(without).map(|(with, without)| with - without)) {
+        // 0 is land.
+        let deep = usize::from(*opacity > optics::water_alpha(0.2, 3.0));
+        if *opacity > 0.0 {
+            found[deep].0 += added;
+            found[deep].1 += 1.0;
+        }
+    }
+    assert!(found[0].1 > 100.0 && found[1].1 > 1000.0, "{found:?}");
+    found.map(|(sum, count)| sum / count)
+}
+
+#[test]
+fn surf_whitens_the_shore_that_waves_run_up_to() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let [onshore, offshore] = ["12@170", "12@350"].map(|wind| whitened(&mut renderer, wind));
+    println!(
+        "in shallow and in deep water foam adds {onshore:.4?} with the wind from the sea, {offshore:.4?} from the land"
+    );
+    // Waves of 2.6 m break in 4 m: half of the water is white or more. What comes round into the lee is 6 % as high and breaks in decimetres.
+    assert!(onshore[0] > 4.0 * onshore[1] && onshore[0] > 4.0 * offshore[0], "{onshore:?} {offshore:?}");
 }

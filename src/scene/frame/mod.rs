@@ -109,7 +109,7 @@ impl Frame {
         place::set_earth(&mut uniform, camera, sea.sea.hs_m, sea.sea.chop);
         place::set_map(&mut uniform, camera);
         light::set_light(&mut uniform, settings.haze, camera, unix_seconds);
-        water::set_sea(&mut uniform, settings, &sea);
+        water::set_sea(&mut uniform, settings, &sea, unix_seconds);
         water::set_gusts(&mut uniform, settings.wind_from());
         let clouds = clouds::set_clouds(&mut uniform, settings, camera, unix_seconds, size);
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;

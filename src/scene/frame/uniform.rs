@@ -310,6 +310,9 @@ gpu_struct! {
         foam_rule: u32 = "u32",
         /// Perlin patch.
         perlin_patch: f32 = "Metres",
+        /// Waves that break on shores: their period, s, how many have come by now, up to 4096; their height over the depth that they break in; in
+        /// how many seconds their white water fades.
+        surf: Vec4 = "vec4f",
         /// Patch lengths of the cascades, metres.
         patches: Vec4 = "vec4f",
         /// Spacings of their lattices.
