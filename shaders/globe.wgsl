@@ -70,7 +70,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if ocean > 0.0 {
         let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
         let whitecaps = calmed * share_from_afar(0.0, across / pow(grazing, 0.65));
-        let foam = mean_foam(whitecaps, usually_dense_from(whitecaps), calmed);
+        let foam = mean_foam(whitecaps, mean_dense_from(whitecaps, FINE), calmed, FINE);
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.
         let rough = slopes_at(rest, distance, footprint).rough;

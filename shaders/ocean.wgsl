@@ -150,11 +150,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);
         }
-        foam = foam_of(shares.x, dense, calmed, seen);
+        foam = foam_of(shares.x, dense, calmed, seen, FINE);
     } else {
         var share = calmed * share_from_afar(in.height, foam_footprint);
         if SURF { share = max(share, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint).x); }
-        foam = mean_foam(share, usually_dense_from(share), calmed);
+        foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
     }
     var light = daylight_at(dot(frame.light, up));
     if CLOUDS { light = clouded_daylight(light, rest, up, footprint); }

@@ -49,8 +49,8 @@ fn coarser_than(side: Metres, footprint: Metres) -> f32 {
     return clamp((1.32 - log2(footprint / side)) / 2.82, 0.0, 1.0);
 }
 
-// Young foam of a share whose history is not known: as much as decay at one rate leaves of what decays at another, from a whole cover on.
-fn usual_young(share: f32) -> f32 { return share * share * share * share; }
+// Young foam where its history is not known: as much of all foam as in the mean over a sea.
+fn usual_young(share: f32) -> f32 { return 0.38 * share; }
 
 // Shares covered, 0…1, of a rest point with the water at `height`: by all foam, and by young foam, which is sought if `aged`. Each level serves as far as it reaches and while its texels are
 // not much finer than the footprint; what no level serves has the share that the wind asks for.

@@ -42,7 +42,8 @@ const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.55;
 const RAFT_EDGE: f32 = 0.3;
 const FOAM_RISE: Metres = 0.06;      // height of thick foam over thin
-const BUMPS = vec3f(0.022, 0.008, 0.004);   // and how much of it levels of the nets are, metres
+const BUMPS_THIN: f32 = 0.4;     // of thin foam's bumps, of those of dense foam
+const BUMPS = vec3f(0.022, 0.008, 0.004);   // and what levels of the nets add to that, metres
 
 // The inverse of the normal distribution function, within 4.5e-4 (M. Abramowitz and I. Stegun 1964, 26.2.23).
 fn normal_quantile(share: f32) -> f32 {
@@ -133,9 +134,13 @@ fn on_folds(seen: Lace, folds: vec2f, share: f32) -> Lace {
     return found;
 }
 
-// Above which level foam is dense: of young foam that covers a share, and where no more is known than the share of all foam.
+// Above which level foam is dense: of young foam that covers a share, and where only the share of all foam is sought.
 fn dense_from(young: f32) -> f32 { return -normal_quantile(CLOSED * young) * sqrt(1.0 + THICK_RAMP * THICK_RAMP); }
 fn usually_dense_from(share: f32) -> f32 { return THICK_FROM - excess(share, 0.0); }
+fn mean_dense_from(share: f32, fine: bool) -> f32 {
+    if fine { return dense_from(usual_young(share)); }
+    return usually_dense_from(share);
+}
 
 // How far levels lie above those of the water's edge where a share is covered; its edges spread by EDGE_RAMP.
 fn excess(share: f32, level: f32) -> f32 {
@@ -147,24 +152,34 @@ fn covered(excess: f32, hidden: f32) -> f32 {
     return normal_share(excess * inverseSqrt(hidden + EDGE_RAMP * EDGE_RAMP));
 }
 
-// Opacity of foam that is not thick.
-fn thin_foam(excess: f32, inside: f32, hidden: f32) -> f32 {
-    let core = normal_share((excess - CORE_FROM) * inverseSqrt(hidden + CORE_RAMP * CORE_RAMP));
-    return THIN_FOAM * (FRINGE * inside + (1.0 - FRINGE) * core);
+// Opacity of foam by itself. `rise` is how far it lies above the level from which it is dense, in parts that `deviation` makes of levels. Only in
+// `fine` pictures it comes about by and by, and in heaps.
+fn opacity(excess: f32, inside: f32, hidden: f32, rise: f32, thick: f32, deviation: f32, rafts: f32, film: f32, fine: bool) -> f32 {
+    var thin = inside;
+    var dense = thick;
+    if fine {
+        thin = mix(normal_share((excess - CORE_FROM) * inverseSqrt(hidden + CORE_RAMP * CORE_RAMP)), inside, FRINGE);
+        dense = mix(thick, normal_share(rise - HEAPED_FROM * deviation), HEAPS);
+    }
+    // Where it is thick it is closed.
+    return THIN_FOAM * thin * mix(rafts, 1.0, thick) + (1.0 - THIN_FOAM - film) * dense;
+}
+
+// Light that dense foam takes from the water beside it.
+fn shade_of(rise: f32, thick: f32, deviation: f32, fine: bool) -> f32 {
+    if !fine { return 0.0; }
+    return SHADE * (normal_share(rise + SHADED * deviation) - thick);
 }
 
 // Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's waves that the depth leaves.
-fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace) -> Foam {
+fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> Foam {
     let above = excess(share, seen.level.x);
     let film = film_opacity();
     let deviation = inverseSqrt(seen.hidden.x + THICK_RAMP * THICK_RAMP);
     let rise = (seen.level.x - dense_from) * deviation;
-    // Where it is thick it is closed.
     let thick = normal_share(rise);
     let inside = covered(above, seen.hidden.x);
-    let heaped = normal_share(rise - HEAPED_FROM * deviation);
-    let white = thin_foam(above, inside, seen.hidden.x) * mix(seen.rafts.x, 1.0, thick)
-        + (1.0 - THIN_FOAM - film) * mix(thick, heaped, HEAPS);
+    let white = opacity(above, inside, seen.hidden.x, rise, thick, deviation, seen.rafts.x, film, fine);
     let threshold = max(normal_quantile(calmed * film_share()), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
     // Within thin foam the film lies between the rafts.
@@ -176,24 +191,25 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace) -> Foam {
     let wind = wave_cells[0].wind;
     let axis_x = wave_cells[0].axis_x.xy;
     let axis_y = wave_cells[0].axis_y.xy;
-    let tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope + mix(0.4, 1.0, thick) * seen.bumps;
-    let shade = SHADE * (normal_share(rise + SHADED * deviation) - thick);
-    return Foam(white + faint, max(plume, 2.5 * min(faint, film)), shade,
+    var tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
+    if fine { tilt += mix(BUMPS_THIN, 1.0, thick) * seen.bumps; }
+    return Foam(white + faint, max(plume, 2.5 * min(faint, film)), shade_of(rise, thick, deviation, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 
 // Foam in pixels that hide all of the lace.
 // It is foam_of where levels are hidden whole, with what is then known put in.
-fn mean_foam(share: f32, dense_from: f32, calmed: f32) -> Foam {
+fn mean_foam(share: f32, dense_from: f32, calmed: f32, fine: bool) -> Foam {
     let quantile = normal_quantile(share);
     let above = quantile * sqrt(1.0 + EDGE_RAMP * EDGE_RAMP);
-    let thick = normal_share(-dense_from * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
+    let deviation = inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP);
+    let rise = -dense_from * deviation;
+    let thick = normal_share(rise);
     let film = film_opacity();
-    let heaped = normal_share(-(dense_from + HEAPED_FROM) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP));
-    let white = thin_foam(above, share, 1.0) + (1.0 - THIN_FOAM - film) * mix(thick, heaped, HEAPS);
+    let white = opacity(above, share, 1.0, rise, thick, deviation, 1.0, film, fine);
     let threshold = max(normal_quantile(calmed * film_share()), quantile + FILM_AROUND);
     let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
-    let shade = SHADE * (normal_share((SHADED - dense_from) * inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP)) - thick);
-    return Foam(white + faint, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)), shade, vec2f(0.0));
+    return Foam(white + faint, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)), shade_of(rise, thick, deviation, fine),
+        vec2f(0.0));
 }

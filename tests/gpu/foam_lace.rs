@@ -21,8 +21,8 @@ fn foamy(@builtin(global_invocation_id) id: vec3u) {
     let own = asked[id.x];
     let seen = lace_at(own.at, own.footprint);
     let dense = dense_from(own.young);
-    found[id.x] = vec3f(covered(excess(own.share, seen.level.x), seen.hidden.x), foam_of(own.share, dense, 1.0, seen).white,
-        mean_foam(own.share, dense, 1.0).white);
+    found[id.x] = vec3f(covered(excess(own.share, seen.level.x), seen.hidden.x), foam_of(own.share, dense, 1.0, seen, true).white,
+        mean_foam(own.share, dense, 1.0, true).white);
 }";
 
 #[repr(C)]

@@ -92,7 +92,8 @@ fn sea(renderer: &mut Renderer, depression: f64, hour: &str) -> [f64; 3] {
     let size = [160, 90];
     let (mut sum, mut count) = ([0.0; 3], 0.0);
     for place in 0..5 {
-        let lon = -30.0 + 0.01 * f64::from(place);
+        // A patch of gusts is up to 15 km long.
+        let lon = -30.0 + 0.2 * f64::from(place);
         let state = format!("#view=0,{lon},15,0,{}&clouds=0&{hour}", 90.0 - depression);
         let measured =
             render::measure(renderer, &render::parse_state(&state).unwrap(), size, LayerName::Radiance).unwrap();
