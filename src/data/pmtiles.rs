@@ -27,6 +27,8 @@ pub const HEADER_BYTES: usize = 127;
 pub const ROOT_LIMIT: usize = 16_384;
 /// Bytes that are read first: header, root directory and metadata of each bundled archive lie within them (5,612 of the largest).
 pub const HEAD_BYTES: u64 = 6_144;
+/// Leaf directories that end before this many bytes from the start are read when the archive is opened.
+const LEAVES_AT_ONCE: u64 = 64 << 10;
 /// Root and leaves that a look-up passes at most.
 pub const MAX_DEPTH: usize = 4;
 /// The largest directory or metadata accepted as stored, bytes.
@@ -88,7 +90,7 @@ pub struct Header {
     pub internal_compression: Compression,
     /// How tiles are packed, beyond their own format.
     pub tile_compression: Compression,
-    /// 2 is PNG, 3 JPEG.
+    /// 1 is a vector tile, 2 PNG, 3 JPEG.
     pub tile_type: u8,
     /// The coarsest level.
     pub min_zoom: u8,
@@ -157,9 +159,12 @@ impl<S: ByteSource> Archive<S> {
         let what = source.name().to_owned();
         let mut start = source.read(0, HEAD_BYTES).await?;
         let header = Header::parse(&what, &start)?;
-        // The rest of the usual order, root directory and then metadata, in one request.
-        let end = [header.root, header.metadata].map(|(at, length)| at + length).into_iter().max().unwrap_or(0);
-        if start.len() as u64 == HEAD_BYTES && (HEAD_BYTES..=2 * ROOT_LIMIT as u64).contains(&end) {
+        // The rest of the usual order, root directory, metadata and few leaves, in one request.
+        let end = |sections: &[(u64, u64)]| sections.iter().map(|(at, length)| at + length).max().unwrap_or(0);
+        let all = end(&[header.root, header.metadata, header.leaves]);
+        let at_once = header.leaves.1 > 0 && all <= LEAVES_AT_ONCE;
+        let end = if at_once { all } else { end(&[header.root, header.metadata]) };
+        if start.len() as u64 == HEAD_BYTES && (HEAD_BYTES..=LEAVES_AT_ONCE).contains(&end) {
             start.extend(read_exactly(&source, HEAD_BYTES, end - HEAD_BYTES).await?);
         }
         let packing = header.internal_compression;
@@ -173,7 +178,16 @@ impl<S: ByteSource> Archive<S> {
             };
             unpack(&what, packing, stored, MAX_INFLATED)
         };
-        let root = decode_directory(&what, &section(header.root, "root directory").await?)?;
+        let mut root = decode_directory(&what, &section(header.root, "root directory").await?)?;
+        if at_once && root.iter().all(|entry| entry.run_length == 0) {
+            // With all leaves at hand every tile's place is known, and neighbours are fetched together.
+            let mut entries = Vec::new();
+            for leaf in root {
+                let at = within(&what, header.leaves, leaf)?;
+                entries.extend(decode_directory(&what, &section((at, leaf.length.into()), "leaf directory").await?)?);
+            }
+            root = entries;
+        }
         let metadata = match header.metadata.1 {
             0 => serde_json::Map::new(),
             _ => serde_json::from_slice(&section(header.metadata, "metadata").await?)

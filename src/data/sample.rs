@@ -6,7 +6,7 @@
 use super::tile::{
     Layer, MapPoint, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texel_size_m, texels_across,
 };
-use super::water::{SATURATION_TEXELS, WaterClass, distance_from_byte};
+use super::water::{MOST_STEPS, SATURATION_TEXELS, STEPS_PER_TEXEL, WaterClass, unpacked};
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
@@ -92,7 +92,7 @@ pub fn sample(
     } else {
         let nearest = texel_index(point, water_level);
         match &*texels {
-            TileTexels::Water(texels) if texels[nearest][2] == WaterClass::Island as u8 => WaterClass::Island,
+            TileTexels::Water(texels) if unpacked(texels[nearest]).1 == WaterClass::Island as u8 => WaterClass::Island,
             _ => WaterClass::Land,
         }
     };
@@ -146,18 +146,19 @@ impl Map<'_, '_> {
         self.bilinear(layer, z, self.at)
     }
 
-    /// Signed distances to the shores of ocean and lakes, metres: from level `z`, and for what is saturated there from
+    /// Signed distances to the shores of ocean and lakes, metres: from level `z`, and for what is farther than its texels can hold from
     /// the level above, and so on. The sign stays that of level `z`.
     fn shores(&mut self, z: u8, lat: f64) -> Result<[f64; 2]> {
         let sharp = self.value(Layer::Water, z)?.unwrap_or_default();
         let mut shores = sharp;
         for level in (0..z).rev() {
-            let reach_m = (SATURATION_TEXELS - 0.1) * texel_size_m(self.projection, level + 1, lat);
-            if shores.iter().all(|shore| shore.abs() < reach_m) {
+            let texel_m = texel_size_m(self.projection, level + 1, lat);
+            let reach_m = MOST_STEPS.map(|most| (f64::from(most) / STEPS_PER_TEXEL - 0.1) * texel_m);
+            if shores.iter().zip(reach_m).all(|(shore, reach_m)| shore.abs() < reach_m) {
                 break;
             }
             let Some(coarse) = self.value(Layer::Water, level)? else { continue };
-            for ((shore, coarse), sharp) in shores.iter_mut().zip(coarse).zip(sharp) {
+            for (((shore, coarse), sharp), reach_m) in shores.iter_mut().zip(coarse).zip(sharp).zip(reach_m) {
                 if shore.abs() >= reach_m {
                     *shore = shore.abs().max(coarse.abs()).copysign(sharp);
                 }
@@ -248,10 +249,10 @@ impl Map<'_, '_> {
         match (self.look_up)(layer, tile)?.as_deref() {
             Some(TileTexels::Terrain(texels)) => Ok(Some([f64::from(texels[index]), 0.0])),
             Some(TileTexels::Water(texels)) => {
-                let [ocean, lake, ..] = texels[index];
+                let (shores, _) = unpacked(texels[index]);
                 let (lat, _) = lat_lon_from_map(self.projection, centre.0, centre.1);
                 let texel_m = texel_size_m(self.projection, z, lat);
-                Ok(Some([distance_from_byte(ocean) * texel_m, distance_from_byte(lake) * texel_m]))
+                Ok(Some(shores.map(|steps| f64::from(steps) / STEPS_PER_TEXEL * texel_m)))
             }
             Some(TileTexels::Imagery(_)) => Ok(None),
             None if z > 0 => self.bilinear(layer, z - 1, centre),

@@ -7,20 +7,24 @@
 //! It is long, but one thing: a request's way from wish to answer, in the order in which it goes.
 
 mod cache;
+mod shores;
 mod slot;
 mod span;
 
 use super::fetch::{Source, Spawner, join, now_s};
 use super::pmtiles::Archive;
 use super::sample::{Sample, Terrain, sample};
+use super::streaming::PAGE_LEVELS;
 use super::tile::{Layer, Projection, TileId};
-use super::{SharedTexels, TileTexels, imagery, terrarium, water};
+use super::water::OwnShores;
+use super::{SharedTexels, TileTexels, coast, imagery, terrarium, water};
 use crate::error::{Error, Result};
 use cache::Cache;
+use shores::Unfinished;
 use slot::{Opening, Slot};
 use span::{OnTheWay, Span, Wish};
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::{BinaryHeap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::{Arc, mpsc};
 
@@ -62,9 +66,22 @@ pub type Waker = Arc<dyn Fn() + Send + Sync>;
 
 type Key = (Layer, TileId);
 
+/// What a tile's bytes say.
+#[derive(Debug)]
+enum Decoded {
+    /// All there is to know.
+    Whole(TileTexels),
+    /// What is near the shores: the rest is its parent's.
+    Near(OwnShores),
+}
+
+/// Deepest level of the water tiles that are made of an archive's polygons: texels of 19 m at the equator, half as wide as the polygons
+/// are true.
+pub const DEEPEST_SHORES: u8 = PAGE_LEVELS as u8 - 1;
+
 enum Event {
     Opened(usize, Result<Archive<Source>>),
-    Tile(Key, Result<Option<TileTexels>>),
+    Tile(Key, Result<Option<Decoded>>),
     /// A request for these bytes of an archive is over.
     Over(usize, Range<u64>),
 }
@@ -80,6 +97,10 @@ pub struct World {
     waiting: Vec<(f64, Key)>,
     /// Tiles given up, until a time, seconds.
     given_up: HashMap<Key, f64>,
+    /// Tiles that are known not to exist.
+    absent: HashSet<Key>,
+    /// Water tiles that wait for their parents.
+    unfinished: Unfinished,
     answered: Vec<Arrival>,
     on_the_way: OnTheWay,
     asked: u64,
@@ -122,6 +143,8 @@ impl World {
             ready: BinaryHeap::new(),
             waiting: Vec::new(),
             given_up: HashMap::new(),
+            absent: HashSet::new(),
+            unfinished: Unfinished::default(),
             answered: Vec::new(),
             on_the_way: OnTheWay::default(),
             asked: 0,
@@ -145,6 +168,7 @@ impl World {
     /// comes from [`World::poll`], at its next call for a tile that is still in the cache.
     pub fn request(&mut self, layer: Layer, id: TileId) {
         let key = (layer, id);
+        self.unfinished.is_wanted(&key);
         if self.pending.contains_key(&key) {
             return;
         }
@@ -154,6 +178,8 @@ impl World {
         self.slots[slot_index(layer, id.projection)].ask();
         if let Some(texels) = self.cache.get(&key) {
             self.answer(key, Outcome::Tile(texels));
+        } else if self.absent.contains(&key) {
+            self.answer(key, Outcome::Absent);
         } else if self.given_up.contains_key(&key) {
             let url = self.slot(layer, id.projection).name.clone();
             let why = format!("{} tile {id} was given up a moment ago", layer.name());
@@ -177,6 +203,7 @@ impl World {
                 Event::Over(slot, bytes) => self.on_the_way.over(slot, &bytes),
             }
         }
+        self.finish_shores();
         let now = now_s();
         let (due, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|(at, _)| *at <= now);
         self.waiting = waiting;
@@ -216,9 +243,9 @@ impl World {
         Layer::SHAPE.into_iter().find_map(given_up)
     }
 
-    /// The deepest level of an archive, once it is open.
+    /// The deepest level of the tiles that an archive gives, once it is open: of polygons they are made more deeply than they are stored.
     pub fn max_zoom(&self, layer: Layer, projection: Projection) -> Option<u8> {
-        Some(self.slot(layer, projection).archive()?.header().max_zoom)
+        self.slot(layer, projection).archive().map(|archive| deepest(archive))
     }
 
     /// The real resolution of an archive's source, metres, once it is open and where it says so.
@@ -256,31 +283,56 @@ impl World {
     #[cfg(not(target_arch = "wasm32"))]
     pub fn sample_blocking(&mut self, lat: f64, lon: f64) -> Result<Sample> {
         let projection = Projection::for_latitude(lat);
-        for layer in Layer::SHAPE {
-            let slot = &mut self.slots[slot_index(layer, projection)];
-            if slot.archive().is_none() {
-                slot.opening =
-                    Opening::Open(Arc::new(pollster::block_on(Archive::open(Source::new(slot.name.clone())))?));
-            }
-        }
+        Layer::SHAPE.into_iter().try_for_each(|layer| self.open_blocking(layer, projection))?;
         let name = self.slot(Layer::Terrain, projection).name.clone();
         let nothing =
             || Error::bad_data(&name, "holds no terrain tile", "make the data again with scripts/make-world.sh");
         let terrain = self.terrain_at(lat).ok_or_else(nothing)?;
         let deepest_water = self.max_zoom(Layer::Water, projection);
-        let (cache, slots) = (&mut self.cache, &self.slots);
-        let mut look_up = |layer, id: TileId| {
-            if let Some(texels) = cache.get(&(layer, id)) {
-                return Ok(Some(texels));
-            }
-            let Some(archive) = slots[slot_index(layer, id.projection)].archive() else { return Ok(None) };
-            let texels = pollster::block_on(load(archive, (layer, id)))?.map(Arc::new);
-            if let Some(texels) = &texels {
-                cache.put((layer, id), texels.clone());
-            }
-            Ok(texels)
+        sample(lat, lon, terrain, deepest_water, &mut |layer, id| self.tile_blocking(layer, id))?.ok_or_else(nothing)
+    }
+
+    /// Opens an archive now, unless it is open.
+    ///
+    /// # Errors
+    /// What opening it reports.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn open_blocking(&mut self, layer: Layer, projection: Projection) -> Result<()> {
+        let slot = &mut self.slots[slot_index(layer, projection)];
+        if slot.archive().is_none() {
+            slot.opening = Opening::Open(Arc::new(pollster::block_on(Archive::open(Source::new(slot.name.clone())))?));
+        }
+        Ok(())
+    }
+
+    /// A tile of an archive that is open, loaded now if need be, and of water its ancestors with it; `None` where there is none.
+    ///
+    /// # Errors
+    /// What reading the archive reports.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn tile_blocking(&mut self, layer: Layer, id: TileId) -> Result<Option<SharedTexels>> {
+        let key = (layer, id);
+        if let Some(texels) = self.cache.get(&key) {
+            return Ok(Some(texels));
+        }
+        let Some(archive) = self.slot(layer, id.projection).archive().filter(|_| !self.absent.contains(&key)).cloned()
+        else {
+            return Ok(None);
         };
-        sample(lat, lon, terrain, deepest_water, &mut look_up)?.ok_or_else(nothing)
+        let texels = match pollster::block_on(load(&archive, key))? {
+            None => {
+                self.absent.insert(key);
+                return Ok(None);
+            }
+            Some(Decoded::Whole(texels)) => texels,
+            Some(Decoded::Near(shores)) => {
+                let parent = id.parent().map(|parent| self.tile_blocking(layer, parent)).transpose()?.flatten();
+                shores::finished(&shores, id, parent.as_deref())
+            }
+        };
+        let texels = Arc::new(texels);
+        self.cache.put(key, texels.clone());
+        Ok(Some(texels))
     }
 
     fn terrain_at(&self, lat: f64) -> Option<Terrain> {
@@ -294,8 +346,14 @@ impl World {
     }
 
     fn answer(&mut self, key: Key, outcome: Outcome) {
+        if let Outcome::Absent = outcome {
+            self.absent.insert(key);
+        }
         if self.pending.remove(&key).is_some() {
             self.done += 1;
+            if self.unfinished.asked_silently(&key) {
+                return;
+            }
             self.answered.push(Arrival { layer: key.0, id: key.1, outcome });
         }
         if self.pending.is_empty() {
@@ -321,6 +379,12 @@ impl World {
         }
     }
 
+    fn is_here(&mut self, key: Key, texels: TileTexels) {
+        let texels = Arc::new(texels);
+        self.cache.put(key, texels.clone());
+        self.answer(key, Outcome::Tile(texels));
+    }
+
     /// Starts ready requests while there is room. Those whose archive is not open yet stay ready, and those whose bytes are on their
     /// way for others.
     fn start(&mut self) {
@@ -332,9 +396,10 @@ impl World {
             let index = slot_index(key.0, key.1.projection);
             let slot = &self.slots[index];
             match &slot.opening {
-                Opening::Open(archive) if key.1.z > archive.header().max_zoom => self.answer(key, Outcome::Absent),
+                Opening::Open(archive) if key.1.z > deepest(archive) => self.answer(key, Outcome::Absent),
                 Opening::Open(archive) => {
-                    let place = archive.place(key.1.z, key.1.x, key.1.y);
+                    let stored = stored(archive, key.1);
+                    let place = archive.place(stored.z, stored.x, stored.y);
                     let wish = Wish { slot: index, key, rank: (z, order), place };
                     match &wish.place {
                         Some(place) if archive.has(place) => spans.push(Span::from(wish)),
@@ -373,18 +438,16 @@ impl World {
         self.ready.extend(later);
     }
 
-    fn arrived(&mut self, key: Key, result: Result<Option<TileTexels>>) {
+    fn arrived(&mut self, key: Key, result: Result<Option<Decoded>>) {
         match result {
-            Ok(Some(texels)) => {
-                let texels = Arc::new(texels);
-                self.cache.put(key, texels.clone());
-                self.answer(key, Outcome::Tile(texels));
-            }
+            Ok(Some(Decoded::Whole(texels))) => self.is_here(key, texels),
+            Ok(Some(Decoded::Near(shores))) => self.unfinished.add(key.1, shores),
             Ok(None) => self.answer(key, Outcome::Absent),
             Err(error) => {
                 // Perhaps its bytes: they are asked for anew.
                 if let Some(archive) = self.slot(key.0, key.1.projection).archive() {
-                    archive.place(key.1.z, key.1.x, key.1.y).inspect(|place| archive.forget(place));
+                    let stored = stored(archive, key.1);
+                    archive.place(stored.z, stored.x, stored.y).inspect(|place| archive.forget(place));
                 }
                 let tried = self.pending.get_mut(&key).map_or(ATTEMPTS, |tried| {
                     *tried += 1;
@@ -402,17 +465,30 @@ impl World {
     }
 }
 
+/// Deepest level of the tiles that an archive gives.
+fn deepest(archive: &Archive<Source>) -> u8 {
+    let header = archive.header();
+    if header.tile_type == coast::TILE_TYPE { header.max_zoom.max(DEEPEST_SHORES) } else { header.max_zoom }
+}
+
+/// The tile of the archive that tells of a tile: itself, or where the archive ends its ancestor.
+fn stored(archive: &Archive<Source>, id: TileId) -> TileId {
+    id.ancestor(archive.header().max_zoom).unwrap_or(id)
+}
+
 /// The wait after a failed attempt, seconds.
 fn wait_s(tried: u32) -> f64 {
     FIRST_WAIT_S * 4f64.powi(tried.saturating_sub(1).min(4) as i32)
 }
 
-async fn load(archive: &Archive<Source>, key: Key) -> Result<Option<TileTexels>> {
-    let Some(bytes) = archive.tile(key.1.z, key.1.x, key.1.y).await? else { return Ok(None) };
-    decoded(archive, key, &bytes).map(Some)
+async fn load(archive: &Archive<Source>, key: Key) -> Result<Option<Decoded>> {
+    let stored = stored(archive, key.1);
+    let Some(bytes) = archive.tile(stored.z, stored.x, stored.y).await? else { return Ok(None) };
+    decoded(archive, key, &bytes)
 }
 
-fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<TileTexels> {
+/// What the bytes of a tile say of it; `None` where its shores are too far to be told at its level, so that its parent serves.
+fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<Option<Decoded>> {
     let what = format!("{} tile {id}", layer.name());
     let texels = match layer {
         Layer::Terrain => {
@@ -420,8 +496,12 @@ fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<
             let encoding = if mapbox { terrarium::Encoding::Mapbox } else { terrarium::Encoding::Terrarium };
             TileTexels::Terrain(terrarium::decode(&what, bytes, encoding)?)
         }
-        Layer::Water => TileTexels::Water(water::decode(&what, bytes)?),
+        Layer::Water if archive.header().tile_type == coast::TILE_TYPE => {
+            let shores = coast::Shores::decode(&what, bytes)?;
+            return Ok(coast::field::field(id, stored(archive, id).z, &shores).map(Decoded::Near));
+        }
+        Layer::Water => return water::decode(&what, bytes).map(|shores| Some(Decoded::Near(shores))),
         Layer::Imagery => TileTexels::Imagery(imagery::decode(&what, bytes)?),
     };
-    Ok(texels)
+    Ok(Some(Decoded::Whole(texels)))
 }

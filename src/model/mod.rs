@@ -24,6 +24,7 @@ pub mod optics;
 pub mod overcast;
 pub mod perlin;
 pub mod quadrature;
+pub mod ragged_shore;
 pub mod relief;
 pub mod rough_water;
 pub mod rugged;

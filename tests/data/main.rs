@@ -1,6 +1,7 @@
 //! The world's archives, the links, the eye, and the commands that draw nothing.
 
 mod bake;
+mod bake_coast;
 mod camera;
 mod cloud_area;
 mod coast;

@@ -122,12 +122,23 @@ pub fn imagery(picture: &Path, output: &Path) -> BakeArgs {
     BakeArgs { imagery: Some(picture.into()), ..nothing(output) }
 }
 
+/// What makes the coast anew, of polygons and ponds in a folder that holds a world.
+pub fn coast(folder: &Path) -> BakeArgs {
+    let [coast, ponds] = ["gshhs_f.dat", "ponds.txt"].map(|name| Some(folder.join(name)));
+    BakeArgs { coast, ponds, ..nothing(folder) }
+}
+
 fn nothing(output: &Path) -> BakeArgs {
     BakeArgs {
         elevation: None,
         elevation_east_deg: 0.0,
         masks: Vec::new(),
         imagery: None,
+        coast: None,
+        ponds: None,
+        coast_zoom: 4,
+        coast_tolerance_m: 50.0,
+        coast_credit: "somebody's coasts".into(),
         output: output.into(),
         water_zoom: 4,
         terrain_zoom: 2,

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use crate::data::fetch::Source;
-use crate::data::pmtiles::Archive;
+use crate::data::SharedTexels;
+use crate::data::TileTexels;
 use crate::data::tile::{Layer, MapPoint, Projection, TILE_TEXELS, TileId, texel_size_m};
-use crate::data::water::{self, SATURATION_TEXELS, distance_from_byte};
-use crate::data::world::archive_name;
+use crate::data::water::{STEPS_PER_TEXEL, unpacked};
+use crate::data::world::World;
 use crate::error::Result;
 
 /// Deepest level of the water tiles that is looked at: 5 km at the equator, and the shore to a sixteenth of that.
@@ -22,7 +22,7 @@ pub struct Land {
     width: usize,
 }
 
-type Tiles = HashMap<TileId, Vec<[u8; 4]>>;
+type Tiles = HashMap<TileId, SharedTexels>;
 
 impl Land {
     /// From the water archives in a folder, for a picture of `width` x `width / 2` pixels.
@@ -31,14 +31,14 @@ impl Land {
     /// Archives that are missing or unreadable.
     pub fn open(folder: &Path, width: usize) -> Result<Self> {
         let mut tiles = Tiles::new();
+        let mut world = World::open(&folder.display().to_string());
         for projection in Projection::ALL {
-            let path = folder.join(archive_name(Layer::Water, projection));
-            let archive = pollster::block_on(Archive::open(Source::new(path.display().to_string())))?;
-            for z in 0..=DEEPEST.min(archive.header().max_zoom) {
+            world.open_blocking(Layer::Water, projection)?;
+            for z in 0..=DEEPEST.min(world.max_zoom(Layer::Water, projection).unwrap_or(0)) {
                 for (x, y) in (0..1u32 << z).flat_map(|y| (0..1u32 << z).map(move |x| (x, y))) {
                     let id = TileId { projection, z, x, y };
-                    if let Some(bytes) = pollster::block_on(archive.tile(z, x, y))? {
-                        tiles.insert(id, water::decode(&format!("water tile {id}"), &bytes)?);
+                    if let Some(texels) = world.tile_blocking(Layer::Water, id)? {
+                        tiles.insert(id, texels);
                     }
                 }
             }
@@ -75,17 +75,10 @@ impl Land {
 /// Metres to the nearest water, negative in it.
 fn inland_m(tiles: &Tiles, lat: f64, lon: f64) -> f64 {
     let point = MapPoint::from_lat_lon(lat, lon);
-    let mut inland_m: Option<f64> = None;
-    for (z, texels) in (0..=DEEPEST).rev().filter_map(|z| Some((z, tiles.get(&point.tile(z))?))) {
-        let (column, row) = point.texel(z);
-        let [ocean, lake, ..] = texels[(row as usize % TILE_TEXELS) * TILE_TEXELS + column as usize % TILE_TEXELS];
-        let texels = -distance_from_byte(ocean.max(lake));
-        let metres = texels * texel_size_m(point.projection, z, lat);
-        // The finest tile has the last word on the side; what is too far for it, coarser ones tell.
-        inland_m = Some(inland_m.map_or(metres, |fine| fine.abs().max(metres.abs()).copysign(fine)));
-        if texels.abs() < SATURATION_TEXELS - 0.1 {
-            break;
-        }
-    }
-    inland_m.unwrap_or(f64::NEG_INFINITY)
+    let finest = (0..=DEEPEST).rev().find_map(|z| Some((z, tiles.get(&point.tile(z))?)));
+    let Some((z, TileTexels::Water(texels))) = finest.map(|(z, tile)| (z, &**tile)) else { return f64::NEG_INFINITY };
+    let (column, row) = point.texel(z);
+    let ([ocean, lake], _) =
+        unpacked(texels[(row as usize % TILE_TEXELS) * TILE_TEXELS + column as usize % TILE_TEXELS]);
+    -f64::from(ocean.max(lake)) / STEPS_PER_TEXEL * texel_size_m(point.projection, z, lat)
 }

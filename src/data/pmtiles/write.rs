@@ -63,7 +63,8 @@ impl ArchiveWriter {
         Ok(())
     }
 
-    /// Writes the archive and puts it in place. Returns its size in bytes. Tiles are JPEG where the metadata's `format` is `jpg`, else PNG.
+    /// Writes the archive and puts it in place. Returns its size in bytes. What the tiles are, the metadata's `format` tells: `jpg`,
+    /// `pbf` (packed with gzip by whoever adds them), else PNG.
     ///
     /// # Errors
     /// [`Error::BadData`] without tiles, [`Error::Io`].
@@ -71,7 +72,11 @@ impl ArchiveWriter {
         let Some((levels, centre_zoom)) = self.levels() else {
             return Err(Error::bad_data(self.path.display().to_string(), "has no tiles", "add at least one"));
         };
-        let tile_type = if metadata["format"] == "jpg" { 3 } else { 2 };
+        let (packing, tile_type) = match metadata["format"].as_str() {
+            Some("jpg") => (1, 3),
+            Some("pbf") => (2, 1),
+            _ => (1, 2),
+        };
         let (entries, order) = self.cluster();
         let (root, leaves) = pack_directories(&entries)?;
         let metadata = gzip(metadata.to_string().as_bytes())?;
@@ -93,8 +98,8 @@ impl ArchiveWriter {
         for count in [self.tiles.len() as u64, entries.len() as u64, order.len() as u64] {
             header.extend(count.to_le_bytes());
         }
-        // Clustered, gzip directories, tiles as they are, their type; then bounds in 1e-7 degrees: the whole world.
-        header.extend([1, 2, 1, tile_type, levels.0, levels.1]);
+        // Clustered, gzip directories, how tiles are packed, their type; then bounds in 1e-7 degrees: the whole world.
+        header.extend([1, 2, packing, tile_type, levels.0, levels.1]);
         [-1_800_000_000i32, -900_000_000, 1_800_000_000, 900_000_000]
             .iter()
             .for_each(|b| header.extend(b.to_le_bytes()));
@@ -196,7 +201,11 @@ fn pack_directories(entries: &[Entry]) -> Result<(Vec<u8>, Vec<u8>)> {
     }
 }
 
-fn gzip(bytes: &[u8]) -> Result<Vec<u8>> {
+/// Bytes packed with gzip, the same for the same bytes.
+///
+/// # Errors
+/// [`Error::Io`] where memory lacks.
+pub fn gzip(bytes: &[u8]) -> Result<Vec<u8>> {
     // A fixed time and system, so that the same input gives the same bytes everywhere.
     let mut encoder = GzBuilder::new().mtime(0).operating_system(255).write(Vec::new(), Compression::best());
     let packed = encoder.write_all(bytes).and_then(|()| encoder.finish());

@@ -2,7 +2,7 @@
 
 use crate::data::TileTexels;
 use crate::data::tile::TILE_TEXELS;
-use crate::data::water::{SHORE, STEPS_PER_TEXEL};
+use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 
 /// Texels along a side of the smallest block.
 const BLOCK: usize = 2;
@@ -37,7 +37,7 @@ impl TileRange {
         let (finest, step) = match texels {
             TileTexels::Terrain(metres) => (blocks(|at| [metres[at].floor() as i16, metres[at].ceil() as i16]), 1.0),
             TileTexels::Water(texels) => {
-                let steps = |at: usize| [i16::from(texels[at][0]) - i16::from(SHORE); 2];
+                let steps = |at: usize| [unpacked(texels[at]).0[0] as i16; 2];
                 (blocks(steps), 1.0 / STEPS_PER_TEXEL)
             }
             // Nobody asks how bright a tile is.

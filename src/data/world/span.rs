@@ -3,8 +3,7 @@
 //! An archive holds the tiles of a level along a Hilbert curve, and tiles of the same content once: what is seen together often lies
 //! together.
 
-use super::{Key, decoded, load};
-use crate::data::TileTexels;
+use super::{Decoded, Key, decoded, load};
 use crate::data::fetch::Source;
 use crate::data::pmtiles::Archive;
 use crate::error::Result;
@@ -128,14 +127,14 @@ pub(super) fn spans(mut wishes: Vec<Wish>, known: impl Fn(usize, &Range<u64>) ->
 pub(super) async fn fetch(
     archive: &Archive<Source>,
     span: Span,
-    mut hand_over: impl FnMut(Key, Result<Option<TileTexels>>),
+    mut hand_over: impl FnMut(Key, Result<Option<Decoded>>),
 ) {
     let places: Vec<_> = span.wishes.iter().filter_map(|wish| wish.place.clone()).collect();
     if span.wishes.len() > 1
         && let Ok(tiles) = archive.tiles(span.bytes, &places).await
     {
         for (wish, bytes) in span.wishes.iter().zip(tiles) {
-            hand_over(wish.key, decoded(archive, wish.key, &bytes).map(Some));
+            hand_over(wish.key, decoded(archive, wish.key, &bytes));
         }
         return;
     }
