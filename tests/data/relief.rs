@@ -153,8 +153,10 @@ fn no_border_of_tiles_or_maps_shows() {
             let [[west, data_west], [east, data_east]] = [-1e-7, 1e-7].map(|step| made(lat_deg, lon_deg + step));
             relief += usize::from(west.abs() > 5.0);
             // Two centimetres on slopes of three at most; places are whole numbers of 4 mm, which is as much again. The data themselves
-            // have steps where tiles of two levels meet, by which the bound on valleys differs.
-            let allowed = 0.1 + 0.1 * (data_west - data_east).abs();
+            // have steps where tiles of two levels meet, by which the bound on valleys differs. Where the water tiles of one side end at a
+            // coarser level, the ridge of the distances to the shore is cut off by up to a seventh of its texel less there: 5 m of some 3 km
+            // in Fiji, by which relief fades, 0.3 % of it.
+            let allowed = 0.1 + 0.1 * (data_west - data_east).abs() + 0.004 * west.abs();
             assert!((west - east).abs() < allowed, "{lat_deg} {lon_deg}: {west} {east}");
         }
     }
