@@ -10,7 +10,7 @@ use crate::error::Result;
 use std::ops::Range;
 
 /// Bytes between two tiles that are fetched for nothing rather than asked for apart: what a request costs in headers and time.
-const GAP: u64 = 8 << 10;
+const GAP: u64 = 16 << 10;
 /// Tiles of one request at most: they are decoded one after the other.
 const MOST_TILES: usize = 12;
 /// Bytes of one request at most.
