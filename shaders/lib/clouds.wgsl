@@ -127,13 +127,17 @@ fn clouded_daylight(light: Daylight, at: vec3f, up: vec3f, footprint: Metres) ->
     return Daylight(light.sun * left, mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover, disc);
 }
 
+const MIRRORED_SPREAD: f32 = 0.15;   // of the rise of what rough water mirrors
+
 // Radiance of the sky that rough water mirrors from `direction`, with the clouds that stand there.
 fn clouded_sky(sky: vec3f, at: vec3f, direction: vec3f, up: vec3f) -> vec3f {
-    let rise = max(dot(direction, up), 0.03);
+    // Facets spread what they mirror over some 12 degrees: what lies at the horizon is mirrored with what stands over it. Cloud by cloud, each pixel
+    // would find another, as the way to them changes there with the least slope.
+    let level = max(dot(direction, up), 0.0);
+    let rise = sqrt(level * level + MIRRORED_SPREAD * MIRRORED_SPREAD);
     let way = CLOUD_SHADOW / rise;
-    // Facets spread what they mirror over some 12 degrees.
     let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), length(at) * frame.pixel_angle), 0.1), 0.1);
-    let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), min(1.0 / rise, 8.0));
+    let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), 1.0 / rise);
     let mu = dot(frame.light, up);
     let light = daylight_at(mu);
     let cloudy = (0.35 * light.sun * max(mu, 0.0) + 0.8 * light.sky) / PI;

@@ -34,7 +34,7 @@ const FILM_AROUND: f32 = 0.5;
 const FILM_EDGE: f32 = 0.2;
 const FILM_RAMP: f32 = 0.8;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
-const ROWS = vec2f(0.3, 0.42);
+const ROWS = vec2f(0.45, 0.5);
 const NETS = vec3f(0.42, 0.2, 0.38);
 // Thin foam and film are rafts of bubbles with water between, on a net of their own: rafts' share of thin foam, and what is white of a raft
 // in the film.
@@ -192,7 +192,7 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> 
     let axis_x = wave_cells[0].axis_x.xy;
     let axis_y = wave_cells[0].axis_y.xy;
     var tilt = FOAM_RISE * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
-    if fine { tilt += mix(BUMPS_THIN, 1.0, thick) * seen.bumps; }
+    if fine { tilt += mix(BUMPS_THIN, 1.0, thick) * (1.0 - 0.6 * smoothstep(0.05, 0.25, frame.whitecaps)) * seen.bumps; }
     return Foam(white + faint, max(plume, 2.5 * min(faint, film)), shade_of(rise, thick, deviation, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
