@@ -9,14 +9,13 @@
 
 @group(2) @binding(0) var scene_depth: texture_depth_2d;
 
-
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
-const SHORTEST_STEP: Metres = 50.0;     // of an eye among clouds; from space steps are no shorter than the second
+const SHORTEST_STEP: Metres = 220.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = 5.0;                      // steps in a cloud, of those between
-const FINE_STEPS = 8u;                  // as many of them go on behind a cloud before steps are wide again
+const FINER = 6.0;                      // steps in a cloud, of those between
+const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
 const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
@@ -48,6 +47,26 @@ fn before(near: Veil, far: Veil) -> Veil { return Veil(near.radiance + near.thro
 
 fn sun_cosine(at: vec3f) -> f32 { return dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))); }
 
+// Integrals of the normal density, once, twice and three times.
+fn normal_integrals(x: f32) -> vec3f {
+    let density = 0.3989423 * exp(-0.5 * x * x);
+    let share = normal_share(x);
+    let twice = x * share + density;
+    return vec3f(share, twice, 0.5 * (x * twice + share));
+}
+
+// What a sight meets of a cloud between two looks, at which the level lies so many deviations above the edge: along a straight line between
+// them the share of the way that is in cloud and its excess there are known in closed form, so that no look is an edge of its own.
+fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
+    let a = clamp(from_x, -6.0, 6.0);
+    let b = clamp(to_x, -6.0, 6.0);
+    let apart = select(b - a, select(-0.05, 0.05, b >= a), abs(b - a) < 0.05);
+    let middle = 0.5 * (a + b);
+    let more = (normal_integrals(middle + 0.5 * apart) - normal_integrals(middle - 0.5 * apart)) / apart;
+    let share = max(more.y, 1e-7);
+    return InCloud(share, min(deviation * max(more.z, 0.0) / share, 1.5));
+}
+
 // Water clouds between the eye and `far`. One look at the field a turn: along the sight with wide steps; where these meet a cloud, with fine ones;
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
@@ -63,20 +82,25 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var look = 0u;
     var met = 0.0;
     var met_excess = 0.0;
+    var last_x = -6.0;
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
         let step = min(select(wide, wide / FINER, is_fine), max(stretch.y - t, 0.0));
         // Wide steps are the same for all pixels.
-        let sight = t + select(0.5, grain, is_fine) * step;
+        let sight = t + select(0.5, 0.5 + grain, is_fine) * step;
         let at = direction * sight;
         let height = (height_along(ray, sight) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
         let mu = sun_cosine(at);
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * cloud_pixel(), select(select(select(0.8, 0.4, is_wide), 0.42, is_fine) * step, max(0.6 * step, 120.0), is_lit));
-        let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
+        let footprint = max(sight * cloud_pixel(), select(select(select(0.8, 0.4, is_wide), 0.2, is_fine) * step, max(0.3 * step, 60.0), is_lit));
+        let level = cloud_level(place, footprint, edge);
+        let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
+        let x = (level.x - edge) / deviation;
+        let goes_on = is_fine & !is_lit;
+        let cloud = between(select(x, last_x, goes_on), x, deviation);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
         let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * cloud_pixel()), 1.0), 0.8), CLOUD_LEAST);
@@ -96,6 +120,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let stays = !FINE & is_fine & is_cloud;
         met = select(0.0, shade, waits);
         met_excess = cloud.excess;
+        last_x = select(x, last_x, is_lit);
         let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
         // What the step before may have missed is looked at again.
@@ -147,7 +172,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let phase = cloud_phase(dot(direction, frame.light));
     // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
     let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));
-    let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));
+    let water = water_clouds(ray, direction, far, phase, select(0.35 + 0.3 * spread, 0.5, GLOBE));
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }

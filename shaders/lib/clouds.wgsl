@@ -15,7 +15,8 @@ const CLOUD_SOFT = 0.1;             // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
-const CLOUD_OCTAVES = 7u;
+const CLOUD_OCTAVES = 8u;
+const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
 const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge: of light that goes on ahead counts as not scattered
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
@@ -60,7 +61,8 @@ fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> v
     var i = 0u;
     loop {
         let shown = 1.0 - smoothstep(0.15, 0.6, footprint / cell);
-        sum += sqrt(part) * shown * cloud_noise(place / cell, i);
+        let noise = cloud_noise(place / cell, i);
+        sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         cell /= CLOUD_FINER;
         part *= CLOUD_FADE;
