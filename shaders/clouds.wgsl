@@ -1,7 +1,9 @@
 // Clouds before everything that has been drawn: water clouds step by step through their layer, ice clouds as a shell. `GLOBE`: the
-// ellipsoid is all that may stand in front of them.
+// ellipsoid is all that may stand in front of them. `SCALE`: pixels of the picture along one that is drawn here; from 2 on cloud_veil.wgsl
+// lays the result over the picture. `FINE`: each place in a cloud looks towards the sun.
 #import full_screen
 #import clouds
+#import cloud_layer
 #import light
 #import air
 
@@ -9,20 +11,24 @@
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
-const SHORTEST_STEP: Metres = 50.0;     // of an eye among clouds; from space steps are no shorter than the second
+const SHORTEST_STEP: Metres = 220.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = 5.0;                      // steps in a cloud, of those between
-const FINE_STEPS = 8u;                  // as many of them go on behind a cloud before steps are wide again
+const FINER = 6.0;                      // steps in a cloud, of those between
+const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
 const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 const CLOUD_OPACITY = 0.022;           // per metre, a deviation above the edge: what hides, not what darkens
+const OVER_HORIZON = 0.0004;            // radians that are surely above it, by the sphere's
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
 const CLOUD_GAPS: Metres = 120.0;
 const CLOUD_LEAST = 0.1;
+
+// Radians that a pixel drawn here hides. Between two of a smaller picture is interpolated.
+fn cloud_pixel() -> f32 { return select(1.0, 0.5 * SCALE, SCALE > 1.0) * frame.pixel_angle; }
 
 // Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
 fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: f32) -> vec3f {
@@ -41,17 +47,24 @@ fn before(near: Veil, far: Veil) -> Veil { return Veil(near.radiance + near.thro
 
 fn sun_cosine(at: vec3f) -> f32 { return dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))); }
 
-// Where a ray is within the layer, as far as it is seen.
-fn layer_stretch(ray: Ray, far: Metres) -> vec2f {
-    let outer = shell_hits(ray, CLOUD_TOP);
-    let inner = shell_hits(ray, CLOUD_BASE);
-    let altitude = frame.eye_altitude;
-    let missed = (outer.x > outer.y) | (outer.y < 0.0);
-    var first = select(0.0, outer.x, altitude > CLOUD_TOP);
-    first = select(first, inner.y, altitude < CLOUD_BASE);
-    let goes_below = (altitude >= CLOUD_BASE) & (inner.x <= inner.y) & (inner.x > 0.0);
-    let last = min(select(outer.y, inner.x, goes_below), far);
-    return select(vec2f(first, last), vec2f(1.0, 0.0), missed);
+// Integrals of the normal density, once, twice and three times.
+fn normal_integrals(x: f32) -> vec3f {
+    let density = 0.3989423 * exp(-0.5 * x * x);
+    let share = normal_share(x);
+    let twice = x * share + density;
+    return vec3f(share, twice, 0.5 * (x * twice + share));
+}
+
+// What a sight meets of a cloud between two looks, at which the level lies so many deviations above the edge: along a straight line between
+// them the share of the way that is in cloud and its excess there are known in closed form, so that no look is an edge of its own.
+fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
+    let a = clamp(from_x, -6.0, 6.0);
+    let b = clamp(to_x, -6.0, 6.0);
+    let apart = select(b - a, select(-0.05, 0.05, b >= a), abs(b - a) < 0.05);
+    let middle = 0.5 * (a + b);
+    let more = (normal_integrals(middle + 0.5 * apart) - normal_integrals(middle - 0.5 * apart)) / apart;
+    let share = max(more.y, 1e-7);
+    return InCloud(share, min(deviation * max(more.z, 0.0) / share, 1.5));
 }
 
 // Water clouds between the eye and `far`. One look at the field a turn: along the sight with wide steps; where these meet a cloud, with fine ones;
@@ -60,8 +73,8 @@ fn layer_stretch(ray: Ray, far: Metres) -> vec2f {
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
-    let is_wide = GLOBE | (stretch.x * frame.pixel_angle > WIDE_PIXEL);
-    let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.x * frame.pixel_angle)), 2.0, MOST_STEPS);
+    let is_wide = GLOBE | (stretch.x * cloud_pixel() > WIDE_PIXEL);
+    let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.x * cloud_pixel())), 2.0, MOST_STEPS);
     var veil = Veil(vec3f(0.0), 1.0);
     var way = 0.0;
     var t = stretch.x;
@@ -69,39 +82,46 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var look = 0u;
     var met = 0.0;
     var met_excess = 0.0;
+    var last_x = -6.0;
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
         let step = min(select(wide, wide / FINER, is_fine), max(stretch.y - t, 0.0));
         // Wide steps are the same for all pixels.
-        let sight = t + select(0.5, grain, is_fine) * step;
+        let sight = t + select(0.5, 0.5 + grain, is_fine) * step;
         let at = direction * sight;
         let height = (height_along(ray, sight) - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE);
         let mu = sun_cosine(at);
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * frame.pixel_angle, select(select(select(0.8, 0.4, is_wide), 0.42, is_fine) * step, max(0.6 * step, 120.0), is_lit));
-        let cloud = in_cloud(cloud_level(place, footprint, edge), edge);
+        let footprint = max(sight * cloud_pixel(), select(select(select(0.8, 0.4, is_wide), 0.2, is_fine) * step, max(0.3 * step, 60.0), is_lit));
+        let level = cloud_level(place, footprint, edge);
+        let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
+        let x = (level.x - edge) / deviation;
+        let goes_on = is_fine & !is_lit;
+        let cloud = between(select(x, last_x, goes_on), x, deviation);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
-        let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * frame.pixel_angle), 1.0), 0.8), CLOUD_LEAST);
+        let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * cloud_pixel()), 1.0), 0.8), CLOUD_LEAST);
         let opaque = cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds));
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
-        if is_lit | (is_wide & is_cloud) {
+        if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-            let optical_depth = CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide) * over * cloud.share * cloud.excess + 60.0 * met_excess);
+            let optical_depth = CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide | !FINE) * over * cloud.share * cloud.excess + 60.0 * met_excess);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, optical_depth, saturate(height), phase);
             way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
         }
-        let waits = !is_lit & is_fine & is_cloud;
+        let waits = FINE & !is_lit & is_fine & is_cloud;
+        let stays = !FINE & is_fine & is_cloud;
         met = select(0.0, shade, waits);
         met_excess = cloud.excess;
-        let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found);
+        last_x = select(x, last_x, is_lit);
+        let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
         // What the step before may have missed is looked at again.
         t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.x);
@@ -126,7 +146,7 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let at = direction * t;
     let mu = sun_cosine(at);
     let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
-    let shade = 1.0 - exp(-ice_optical_depth(cloud_place(at), t * frame.pixel_angle) / max(rise, 0.12));
+    let shade = 1.0 - exp(-ice_optical_depth(cloud_place(at), t * cloud_pixel()) / max(rise, 0.12));
     let air = haze(direction, t);
     let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
     let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
@@ -135,19 +155,24 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
-    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
+    let device = corner.position.xy * SCALE * vec2f(2.0, -2.0) / frame.viewport + vec2f(-1.0, 1.0);
+    var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    // From below them clouds go on below the horizon as they are on it, for the pixels of the whole picture that are just above it.
+    let is_open_below = (SCALE > 1.0) & (frame.eye_altitude < CLOUD_BASE);
+    let horizon = OVER_HORIZON - sqrt(2.0 * max(frame.eye_altitude, 0.0) / frame.semi_minor);
+    direction = select(direction, normalize(vec3f(direction.xy, max(direction.z, horizon))), is_open_below);
     let ray = eye_ray(direction);
     let hit = surface_hit(ray);
-    let pixel = vec2u(corner.position.xy);
-    var far = select(hit, 1e9, hit < 0.0);
-    if !GLOBE {
-        let depth = textureLoad(scene_depth, pixel, 0);
+    let is_open = (hit < 0.0) | is_open_below;
+    var far = select(hit, 1e9, is_open);
+    if !GLOBE & (SCALE == 1.0) {
+        let depth = textureLoad(scene_depth, vec2u(corner.position.xy), 0);
         far = min(far, NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3));
     }
     let phase = cloud_phase(dot(direction, frame.light));
     // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
     let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));
-    let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));
+    let water = water_clouds(ray, direction, far, phase, select(0.35 + 0.3 * spread, 0.5, GLOBE));
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }

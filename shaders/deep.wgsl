@@ -47,8 +47,7 @@ fn fragment(in: Pixel) -> Seen {
     }
     let hits = is_near & (distance < FARTHEST) & ((frame.layers & SHOWS_LAND) != 0u);
     var light = daylight_at(frame.light.z);
-    let up = vec3f(0.0, 0.0, 1.0);
-    if CLOUDS { light = clouded_daylight(light, vec3f(0.0), up, 1.0); }
+    if CLOUDS { light = clouded_daylight_at_eye(light); }
     let w = underwater(light);
     let way = select(1e4, distance, hits);
     var radiance = vec3f(0.0);

@@ -56,8 +56,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let point = map_point(dn);
     let across = distance * frame.pixel_angle;
     let ground = ground_at(point, sin_lat, max(across, 1.0));
-    var light = daylight_at(dot(frame.light, up));
-    if CLOUDS { light = clouded_daylight(light, rest, up, across); }
+    let clear = daylight_at(dot(frame.light, up));
+    var light = clear;
+    if CLOUDS { light = clouded_daylight(clear, rest, up); }
     let ground_across = ground_footprint(across, direction, up);
     let lit = lit_ground(point, sin_lat, up, ground, NO_RELIEF, ground_across, light);
 
@@ -78,7 +79,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
             water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth), foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;
     }
-    let radiance = mix(lit.radiance, water_radiance(water, light), water_share);
+    let radiance = mix(lit.radiance, water_radiance(water, light, clear), water_share);
     // Land fills the pixels whose middles it meets, as its tiles do.
     let share = select(select(1.0, 0.0, misses), limb.share, ground.is_ocean);
     let seen = mix(sky, through_air(radiance, light, up, direction, distance), share);

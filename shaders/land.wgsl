@@ -122,8 +122,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         }
     }
 
-    var light = daylight_at(dot(frame.light, up));
-    if CLOUDS { light = clouded_daylight(light, direction * distance, up, footprint); }
+    let clear = daylight_at(dot(frame.light, up));
+    var light = clear;
+    if CLOUDS { light = clouded_daylight(clear, direction * distance - max(ground.elevation, 0.0) * up, up); }
     var made = NO_RELIEF;
     if RUGGED {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
@@ -131,7 +132,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light);
     var radiance = lit.radiance;
-    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light), lake_share(ground, footprint)); }
+    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light, clear), lake_share(ground, footprint)); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }

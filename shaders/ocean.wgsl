@@ -127,7 +127,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
     if UNDER_WATER {
         var light = daylight_at(frame.light.z);
-        if CLOUDS { light = clouded_daylight(light, vec3f(0.0), vec3f(0.0, 0.0, 1.0), 1.0); }
+        if CLOUDS { light = clouded_daylight_at_eye(light); }
         let w = underwater(light);
         let seen = surface_from_below(w, in.position.xy, moved, direction, normal, up, calmed * calmed * slopes.rough, depth);
         if !MEASURED { return shown_in_water(w, seen); }
@@ -156,8 +156,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if SURF { share = max(share, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
     }
-    var light = daylight_at(dot(frame.light, up));
-    if CLOUDS { light = clouded_daylight(light, rest, up, footprint); }
+    let clear = daylight_at(dot(frame.light, up));
+    var light = clear;
+    if CLOUDS { light = clouded_daylight(clear, rest, up); }
     let behind = scene_radiance(pixel);
     var bed = Bed(behind, 2.0 * depth);
     if FINE && alpha < OPAQUE_ALPHA {
@@ -171,7 +172,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         glow = near * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }
     let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
-        kind, bed, foam, facets, glow), light);
+        kind, bed, foam, facets, glow), light, clear);
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);
     if !ground.is_ocean { radiance = mix(behind, radiance, share); }

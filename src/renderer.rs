@@ -12,8 +12,9 @@ use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
 use crate::pass::air_table::AirTable;
 use crate::pass::city_lights::CityLights;
+use crate::pass::cloud_light::{self, CloudLight};
 use crate::pass::cloud_map::CloudMap;
-use crate::pass::clouds::Clouds;
+use crate::pass::clouds::{Clouds, Look as CloudLook};
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
@@ -65,6 +66,7 @@ pub struct Renderer {
     sky_table: SkyTable,
     sky_view: SkyView,
     cloud_map: CloudMap,
+    cloud_light: CloudLight,
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
@@ -117,11 +119,13 @@ impl Renderer {
         let SkyTable { radiance: sky_radiance, irradiance, .. } = &sky_table;
         let light = [sky_radiance, irradiance, &sky_view.sky, &sky_view.haze, &air_table.transmittance, &rough];
         let cloud_map = CloudMap::new(&gpu);
-        let surface = Surface::new(&gpu, frame, light.map(Clone::clone), &cloud_map.levels);
+        let cloud_net = cloud_light::net(&gpu);
+        let surface = Surface::new(&gpu, frame, light.map(Clone::clone), [&cloud_map.levels, &cloud_net]);
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
         let blends = radiance == Radiance::Half.format();
         Self {
+            cloud_light: CloudLight::new(&gpu, frame, layout, cloud_net),
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
             stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
@@ -236,11 +240,14 @@ impl Renderer {
         }
         self.air_table.prepare(&frame.uniform);
         self.sky_table.prepare(&frame.uniform);
-        if let Some(clouds) = frame.clouds.filter(|_| frame.has_light()) {
+        let seen_clouds = frame.clouds.filter(|_| frame.has_light());
+        if let Some(clouds) = seen_clouds {
             self.cloud_map.prepare(&self.gpu, clouds.weather);
         }
+        self.cloud_light.prepare(seen_clouds.map(|clouds| clouds.net));
         self.dispatches = self.air_table.dispatches()
             + self.cloud_map.dispatches()
+            + self.cloud_light.dispatches()
             + self.sky_table.dispatches()
             + self.sky_view.dispatches()
             + self.surface.dispatches()
@@ -260,11 +267,18 @@ impl Renderer {
             self.sky_table.dispatch(&mut pass, frame_group, &self.air_table.group);
             self.sky_view.dispatch(&mut pass, frame_group, &self.air_table.group);
             self.cloud_map.dispatch(&mut pass);
+            self.cloud_light.dispatch(&mut pass, frame_group, self.surface.group());
             self.surface.dispatch(&mut pass, frame_group);
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
         }
-        let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
+        self.cloud_light.hand_over(encoder);
         let surface = self.surface.group();
+        let globe = self.visible.is_none();
+        let cloud_look = CloudLook { globe, scale: frame.cloud_scale(globe), fine: frame.is_fine() };
+        if let Some((pass, clouds)) = self.clouds.as_mut().zip(frame.clouds).filter(|_| is_seen) {
+            pass.sketch(&self.gpu, encoder, (cloud_look, frame.size, clouds.area), [frame_group, surface]);
+        }
+        let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
         let ground_kind = (kind, self.world.has(Layer::Imagery, Projection::Mercator));
         let ground_groups = [frame_group, surface, &self.tiles.imagery];
         let layers = frame.uniform.layers;
@@ -289,7 +303,7 @@ impl Renderer {
             drop(pass);
             // Waves stand before clouds that are above the eye.
             if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| !clouds.are_below) {
-                pass.draw(&mut resume(encoder, "clouds", &targets.scene), (false, clouds.area), frame_group, surface);
+                pass.draw(&mut resume(encoder, "clouds", &targets.scene), clouds.area, [frame_group, surface]);
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
@@ -297,8 +311,7 @@ impl Renderer {
             self.passes.draw_backdrop(&mut pass, targets);
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
-            let part = (self.visible.is_none(), clouds.area);
-            pass.draw(&mut resume(encoder, "clouds", &radiance), part, frame_group, surface);
+            pass.draw(&mut resume(encoder, "clouds", &radiance), clouds.area, [frame_group, surface]);
         }
         if let Some(kind) = side.below() {
             let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, (kind, false), targets.samples());

@@ -2,6 +2,7 @@
 // octaves from 32 km down, lies above zero; the more, the higher the cloud stands on its base. What a footprint hides of the octaves is a
 // variance, so that the share that clouds cover does not depend on who looks from where.
 #import cloud_noise
+#import cloud_layer
 #import light
 #import ellipsoid
 #import map
@@ -9,13 +10,13 @@
 
 @group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
 
-const CLOUD_TOP: Metres = 2100.0;
 const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
 const CLOUD_SOFT = 0.1;             // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
-const CLOUD_OCTAVES = 7u;
+const CLOUD_OCTAVES = 8u;
+const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
 const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge: of light that goes on ahead counts as not scattered
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
@@ -60,7 +61,8 @@ fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> v
     var i = 0u;
     loop {
         let shown = 1.0 - smoothstep(0.15, 0.6, footprint / cell);
-        sum += sqrt(part) * shown * cloud_noise(place / cell, i);
+        let noise = cloud_noise(place / cell, i);
+        sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         cell /= CLOUD_FINER;
         part *= CLOUD_FADE;
@@ -110,37 +112,33 @@ fn cloud_edge(height: f32) -> f32 { return CLOUD_TALL * height * max(height, 0.0
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 
-// Daylight on the ground or the sea at a place: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes
-// through them.
-fn clouded_daylight(light: Daylight, at: vec3f, up: vec3f, footprint: Metres) -> Daylight {
+// What clouds leave at a place of the sun's light; the share of them overhead; what of the light that is left comes from the sun's disc.
+struct Shadow { left: f32, cover: f32, disc: f32 }
+
+fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let mu = max(dot(frame.light, up), 0.05);
     let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
     let weather = cloud_weather(overhead).x;
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
     let cover = in_cloud(vec2f(weather, CLOUD_VARIANCE), 0.0).share;
-    let diffuse = 0.35 * light.sun * mu;
     let left = 1.0 - cloud.share * (1.0 - through);
     // Clouds take five times as much from the disc itself.
     let squared = through * through;
     let disc = (1.0 - cloud.share + cloud.share * squared * squared * through) / max(left, 1e-6);
-    return Daylight(light.sun * left, mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover, disc);
+    return Shadow(left, cover, disc);
 }
 
 const MIRRORED_SPREAD: f32 = 0.15;   // of the rise of what rough water mirrors
 
-// Radiance of the sky that rough water mirrors from `direction`, with the clouds that stand there.
-fn clouded_sky(sky: vec3f, at: vec3f, direction: vec3f, up: vec3f) -> vec3f {
+// Share of the sky that clouds hide towards `direction` from a place, as rough water mirrors it. Far clouds stand in the haze.
+fn mirrored_clouds(at: vec3f, direction: vec3f, up: vec3f, footprint: Metres) -> f32 {
     // Facets spread what they mirror over some 12 degrees: what lies at the horizon is mirrored with what stands over it. Cloud by cloud, each pixel
     // would find another, as the way to them changes there with the least slope.
     let level = max(dot(direction, up), 0.0);
     let rise = sqrt(level * level + MIRRORED_SPREAD * MIRRORED_SPREAD);
     let way = CLOUD_SHADOW / rise;
-    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), length(at) * frame.pixel_angle), 0.1), 0.1);
+    let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), footprint), 0.1), 0.1);
     let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), 1.0 / rise);
-    let mu = dot(frame.light, up);
-    let light = daylight_at(mu);
-    let cloudy = (0.35 * light.sun * max(mu, 0.0) + 0.8 * light.sky) / PI;
-    // Far clouds stand in the haze.
-    return mix(sky, cloudy, hidden * exp(-way / 40000.0));
+    return hidden * exp(-way / 40000.0);
 }

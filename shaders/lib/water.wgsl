@@ -1,5 +1,5 @@
 // Radiance of a water surface towards the eye: reflected sky and sun, the water body's own light, the bed seen through it.
-#import clouds
+#import cloud_light
 #import light
 #import brdf
 #import foam_light
@@ -60,8 +60,8 @@ struct WaterPoint {
     glow: vec3f,           // radiance through crests, below the surface
 }
 
-// `light`: the daylight at the point.
-fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
+// `light`: the daylight at the point; `clear`: what it would be without clouds.
+fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     let mu_sun = dot(frame.light, w.up);
     let sun = light.sun;
     let ambient = light.sky;
@@ -73,7 +73,7 @@ fn water_radiance(w: WaterPoint, light: Daylight) -> vec3f {
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     var sky = sky_at_sea(mirrored, w.up);
-    if CLOUDS { sky = clouded_sky(sky, w.at, mirrored, w.up); }
+    if CLOUDS { sky = clouded_sky(sky, clear, sqrt(1.0 - light.air), w.at, dot(mirrored, w.up), w.up); }
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;

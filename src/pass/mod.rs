@@ -6,6 +6,7 @@ pub mod bisect;
 pub mod bloom;
 pub mod caustics;
 pub mod city_lights;
+pub mod cloud_light;
 pub mod cloud_map;
 pub mod clouds;
 pub mod deep;

@@ -33,8 +33,8 @@ pub(super) struct Surface {
     /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance; what a rough
     /// sea mirrors.
     light: Light,
-    /// The clouds' weather.
-    weather: wgpu::Buffer,
+    /// The clouds' weather, and what they do to the light of the picture.
+    clouds: [wgpu::Buffer; 2],
     /// Layout of bind group 1.
     pub(super) layout: wgpu::BindGroupLayout,
     /// One for each foam map.
@@ -54,18 +54,19 @@ pub(super) struct Surface {
 
 impl Surface {
     /// A surface without a sea; `frame` is the layout of bind group 0.
-    pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, light: Light, weather: &wgpu::Buffer) -> Self {
+    pub(super) fn new(gpu: &Gpu, frame: &wgpu::BindGroupLayout, light: Light, clouds: [&wgpu::Buffer; 2]) -> Self {
         use wgpu::TextureViewDimension::{D2, D2Array, D3};
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2, D2].map(Bind::Texture).to_vec();
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
-        binds.push(Bind::Storage);
+        binds.extend([Bind::Storage; 2]);
         let layout = gpu.layout("surface", stages, &binds);
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
         let foam = Foam::new(gpu, frame, &layout);
-        let groups = groups(gpu, &layout, (&fft, &perlin, &foam), &light, weather);
+        let clouds = clouds.map(Clone::clone);
+        let groups = groups(gpu, &layout, (&fft, &perlin, &foam), &light, &clouds);
         Self {
             fft,
             perlin,
@@ -73,7 +74,7 @@ impl Surface {
             history: History::default(),
             moving: false,
             light,
-            weather: weather.clone(),
+            clouds,
             layout,
             groups,
             sea: None,
@@ -119,7 +120,7 @@ impl Surface {
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
             self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
-            self.groups = groups(gpu, &self.layout, (&self.fft, &self.perlin, &self.foam), &self.light, &self.weather);
+            self.groups = groups(gpu, &self.layout, (&self.fft, &self.perlin, &self.foam), &self.light, &self.clouds);
         }
         self.fft.set_waves(gpu, &sea.cascades, &seas.waves(sea));
         self.made = [None; 2];
@@ -229,7 +230,7 @@ fn groups(
     layout: &wgpu::BindGroupLayout,
     (fft, perlin, foam): (&Fft, &Perlin, &Foam),
     light: &Light,
-    weather: &wgpu::Buffer,
+    clouds: &[wgpu::Buffer; 2],
 ) -> [wgpu::BindGroup; 2] {
     foam.maps.each_ref().map(|map| {
         let waves = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
@@ -240,7 +241,7 @@ fn groups(
             .chain(light)
             .chain([&lace])
             .map(wgpu::BindingResource::TextureView)
-            .chain([weather.as_entire_binding()])
+            .chain(clouds.iter().map(wgpu::Buffer::as_entire_binding))
             .collect();
         gpu.bind("surface", layout, &views)
     })

@@ -26,7 +26,8 @@ fn glow(@builtin(global_invocation_id) id: vec3u) {
     let up = vec3f(0.0, 0.0, 1.0);
     let water = WaterPoint(vec3f(0.0), a.to_eye, up, a.normal, vec3f(1.0, 0.0, 0.0), a.rough * vec2f(1.2, 0.8), 0.0, 1.0, Bed(vec3f(1.0), 0.0),
         flat_foam(a.white, 0.0), MEAN_FACETS, vec3f(0.0));
-    found[id.x] = vec4f(water_radiance(water, daylight_at(dot(frame.light, up))), 1.0);
+    let light = daylight_at(dot(frame.light, up));
+    found[id.x] = vec4f(water_radiance(water, light, light), 1.0);
 }";
 
 #[repr(C)]
@@ -55,17 +56,17 @@ fn water_is_not_seen_in_a_white_furnace() {
     let sky = even(1.0, wgpu::TextureDimension::D3);
     let [light, none] = [std::f32::consts::PI, 0.0].map(|value| even(value, wgpu::TextureDimension::D2));
     let rough = rough_table::view(&gpu);
-    let mut binds = [Bind::Texture(D2); 13];
-    (binds[5], binds[12]) = (Bind::Texture(D3), Bind::Storage);
+    let mut binds = [Bind::Texture(D2); 14];
+    (binds[5], binds[12], binds[13]) = (Bind::Texture(D3), Bind::Storage, Bind::Storage);
     let layouts = [kernel::frame_layout(&gpu), gpu.layout("furnace", wgpu::ShaderStages::COMPUTE, &binds)];
     let mut views = [&none; 12];
     (views[5], views[6], views[10]) = (&sky, &light, &rough);
-    let clouds = gpu.empty_buffer("clouds", wgpu::BufferUsages::STORAGE, 8);
+    let clouds = gpu.empty_buffer("clouds", wgpu::BufferUsages::STORAGE, 16);
     let no_clouds = clouds.as_entire_binding();
     let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
     let groups = [
         kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells),
-        gpu.bind("furnace", &layouts[1], &[&views.map(wgpu::BindingResource::TextureView)[..], &[no_clouds]].concat()),
+        gpu.bind("furnace", &layouts[1], &[&views.map(wgpu::BindingResource::TextureView)[..], &[no_clouds.clone(), no_clouds]].concat()),
     ];
     let kernel = Kernel::<1>::new(&gpu, &shader::composed(KERNEL, ""), "glow", &layouts.each_ref());
     let mut asked = Vec::new();

@@ -13,7 +13,7 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_map, clouds, deep, fft, foam, globe, land, ocean,
+    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe, land, ocean,
     perlin, sky, sky_table, sky_view, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
@@ -39,8 +39,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("city_lights.wgsl", city_lights::source(false)),
         ("city_lights.wgsl", city_lights::source(true)),
         ("cloud_map.wgsl", cloud_map::source()),
-        ("clouds.wgsl", clouds::source(false)),
-        ("clouds.wgsl", clouds::source(true)),
+        ("cloud_light.wgsl", cloud_light::source()),
         ("foam.wgsl", foam::source()),
         ("mips.wgsl", mips::source("rgba16float")),
         ("perlin.wgsl", perlin::source()),
@@ -53,6 +52,10 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("bloom_down.wgsl", bloom_down),
         ("bloom_up.wgsl", bloom_up),
     ];
+    for look in clouds::Look::all() {
+        all.push(("clouds.wgsl", clouds::source(look)));
+    }
+    all.extend([2, 4].map(|scale| ("cloud_veil.wgsl", clouds::veil_source(scale))));
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));

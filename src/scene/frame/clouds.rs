@@ -10,7 +10,7 @@ use crate::model::overcast;
 use crate::scene::frame::exposure::into_sun;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
-use crate::scene::settings::Settings;
+use crate::scene::settings::{Quality, Settings};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// The clouds of a picture.
@@ -22,6 +22,8 @@ pub struct Clouds {
     pub area: [u32; 4],
     /// Whether they may stand before land and sea.
     pub are_below: bool,
+    /// Nodes across and down of the net over the picture at which their light is known (`shaders/lib/cloud_light.wgsl`).
+    pub net: [u32; 2],
 }
 
 /// How much farther than the mean sphere's the area reaches, radians: the ellipsoid's flattening, and that the vertical is not the way
@@ -29,6 +31,21 @@ pub struct Clouds {
 const MARGIN: f64 = 0.012;
 /// Directions along the rim of the clouds that are looked at: between two of them it bends by less than a pixel of any picture.
 const RIM: u32 = 256;
+
+/// Pixels from a node of the net to the next.
+const NODE_PIXELS: u32 = 3;
+/// And at low quality.
+const NODE_PIXELS_LOW: u32 = 8;
+/// Nodes of a net, at most: larger pictures have wider ones.
+pub const MOST_NODES: u32 = 60_000;
+
+/// Nodes across and down of the net over a picture of `size` pixels.
+fn net(quality: Quality, size: [u32; 2]) -> [u32; 2] {
+    let wished = if quality == Quality::Low { NODE_PIXELS_LOW } else { NODE_PIXELS };
+    let nodes = |pixels: u32| size.map(|side| side.div_ceil(pixels) + 1);
+    let few = |pixels: &u32| nodes(*pixels).iter().map(|side| u64::from(*side)).product::<u64>() <= u64::from(MOST_NODES);
+    nodes((wished..).find(few).unwrap_or(u32::MAX))
+}
 
 /// Heights between which an eye leaves the clouds' shadow, metres.
 const ABOVE_THEM_M: [f64; 2] = [900.0, 3_000.0];
@@ -63,7 +80,10 @@ pub fn set_clouds(
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
         u.exposure *= libm::pow(into, -share * share) as f32;
     }
-    shown.then(|| Clouds { weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
+    let net = net(settings.quality, size);
+    u.cloud_net = net[0] | net[1] << 16;
+    shown.then(|| Clouds {
+        net, weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
 }
 
 /// How much longer a picture is exposed below clouds that cover a share of the sky: for two thirds of the light that they take, in stops.

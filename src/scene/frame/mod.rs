@@ -20,7 +20,7 @@ pub use uniform::{FrameUniform, NEAR_M, Output};
 use uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 
 pub mod bisection;
-mod clouds;
+pub mod clouds;
 mod exposure;
 mod light;
 mod night;
@@ -147,6 +147,16 @@ impl Frame {
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
     pub fn is_fine(&self) -> bool {
         self.quality != Quality::Low
+    }
+
+    /// Pixels of the picture along one of those that clouds are drawn in: they have few sharp lines, and each costs as much as many of the
+    /// sea's. From space they are as fine as what lies below them.
+    pub fn cloud_scale(&self, globe: bool) -> u32 {
+        match self.quality {
+            Quality::Low => 4,
+            Quality::Auto | Quality::Medium if !globe => 2,
+            _ => 1,
+        }
     }
 
     /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the

@@ -220,8 +220,8 @@ gpu_struct! {
         bed_origin: Vec2 = "vec2f",
         /// The eye's foot in the lattices of the relief; `model::relief::place`.
         relief_eye: [u32; 3] = "vec3u",
-        /// Unused.
-        unused: u32 = "u32",
+        /// Nodes of the net of `shaders/lib/cloud_light.wgsl`: across in the low half, down in the high one.
+        cloud_net: u32 = "u32",
         /// Xy, xz, yz.
         quadric_mixed: Vec3 = "vec3f",
         /// The projected grid is cast from this far above the eye.

@@ -46,8 +46,8 @@ pub const VIEWS: [View; 14] = [
     View {
         id: "lagoon",
         widget: "viewLagoon",
-        title: "a lagoon, 1,500 m",
-        fragment: "view=24.318,-76.57,1500,128,58&bft=3&clouds=0.25&time=2026-06-21T17:00:00Z",
+        title: "a lagoon, 700 m",
+        fragment: "view=24.34,-76.59,700,110,70&bft=4&wind=7@60&clouds=0.3&time=2026-06-21T16:00:00Z",
     },
     View {
         id: "coast",

@@ -1,0 +1,26 @@
+// Clouds that clouds.wgsl has drawn into a smaller picture, laid over the whole one. What stands among them or before them, a mountain, is
+// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. `SCALE` is of
+// src/pass/clouds.rs.
+#import full_screen
+#import cloud_layer
+
+@group(1) @binding(0) var scene_depth: texture_depth_2d;
+@group(1) @binding(1) var small: texture_2d<f32>;
+
+@fragment
+fn fragment(corner: Corner) -> @location(0) vec4f {
+    let at = corner.position.xy;
+    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
+    let seen = textureSampleLevel(small, clamped, at / (SCALE * vec2f(textureDimensions(small))), 0.0);
+    let ray = eye_ray(direction);
+    let water = layer_stretch(ray, 1e9);
+    let shell = shell_hits(ray, ICE_HEIGHT);
+    let ice = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
+    let has_ice = (shell.x <= shell.y) & (ice > 0.0);
+    // A sight that meets neither, beside the limb, has only its neighbours' clouds.
+    let stretch = select(select(vec2f(1.0, 0.0), vec2f(ice, ice + 1.0), has_ice), water, water.x < water.y);
+    let depth = textureLoad(scene_depth, vec2u(at), 0);
+    let stands = NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3);
+    let before = saturate((stands - stretch.x) / max(stretch.y - stretch.x, 1.0));
+    return seen * select(0.0, before, stretch.x < stretch.y);
+}

@@ -1,0 +1,74 @@
+// What clouds do to the light of sea and land. It changes over hundreds of metres, so it is worked out at the nodes of a net over the picture
+// (cloud_light.wgsl), and pixels interpolate it.
+#import light
+
+const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
+const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
+const MIRROR_NODES = 4u;    // nodes for shadows along one of those for what is mirrored, which is blurred by far
+
+// Eight or six numbers 0...1 in 16 bits each: at each node `Shadow` of clouds.wgsl, the last of them for the eye's foot; then what is hidden at
+// each rise ahead at those for what is mirrored.
+@group(1) @binding(13) var<storage, read> cloud_net: array<vec2u>;
+
+fn cloud_net_size() -> vec2u { return vec2u(frame.cloud_net & 0xffffu, frame.cloud_net >> 16u); }
+fn mirror_net_size() -> vec2u { return (cloud_net_size() - 2u) / MIRROR_NODES + 2u; }
+
+// Where a place on the ellipsoid is in a net: its node below and to the left, nodes in a row, and the way on to the next.
+struct InNet { first: u32, row: u32, f: vec2f }
+
+fn in_net(place: vec3f, size: vec2u) -> InNet {
+    let clip = frame.clip_from_local * vec4f(place, 1.0);
+    let device = clamp(clip.xy / max(clip.w, NEAR), vec2f(-1.0), vec2f(1.0));
+    let at = (0.5 * device + 0.5) * vec2f(size - 1u);
+    let cell = min(vec2u(at), size - 2u);
+    return InNet(cell.y * size.x + cell.x, size.x, at - vec2f(cell));
+}
+
+// Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them.
+fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
+    let mu = max(mu_sun, 0.05);
+    let cover = shadow.y;
+    let diffuse = 0.35 * light.sun * mu;
+    return Daylight(light.sun * shadow.x, mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover, shadow.z);
+}
+
+fn net_shadow(node: u32) -> vec3f {
+    let halves = cloud_net[node];
+    return vec3f(unpack2x16unorm(halves.x), unpack2x16unorm(halves.y).x);
+}
+
+// At a place on the ellipsoid.
+fn clouded_daylight(light: Daylight, place: vec3f, up: vec3f) -> Daylight {
+    let at = in_net(place, cloud_net_size());
+    let shadow = mix(
+        mix(net_shadow(at.first), net_shadow(at.first + 1u), at.f.x),
+        mix(net_shadow(at.first + at.row), net_shadow(at.first + at.row + 1u), at.f.x), at.f.y);
+    return shaded(light, dot(frame.light, up), shadow);
+}
+
+// At the eye's foot.
+fn clouded_daylight_at_eye(light: Daylight) -> Daylight {
+    let size = cloud_net_size();
+    return shaded(light, frame.light.z, net_shadow(size.x * size.y));
+}
+
+fn net_hidden(node: u32) -> vec4f {
+    let halves = cloud_net[node];
+    return vec4f(unpack2x16unorm(halves.x), unpack2x16unorm(halves.y));
+}
+
+// Radiance of the sky that rough water mirrors towards the sine `rise`, with the clouds that stand there; `clear`: daylight under no clouds;
+// `cover`: the share of clouds overhead, by which a coarse picture goes alone. Who imports this declares FINE (src/pass/kind.rs).
+fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32, up: vec3f) -> vec3f {
+    let cloudy = (0.35 * clear.sun * max(dot(frame.light, up), 0.0) + 0.8 * clear.sky) / PI;
+    if !FINE { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
+    let net = cloud_net_size();
+    let at = in_net(place, mirror_net_size());
+    let first = net.x * net.y + 1u + at.first;
+    let hidden = mix(
+        mix(net_hidden(first), net_hidden(first + 1u), at.f.x),
+        mix(net_hidden(first + at.row), net_hidden(first + at.row + 1u), at.f.x), at.f.y);
+    let x = f32(CLOUD_RISES) * sqrt(saturate(rise)) - vec4f(1.0, 2.0, 3.0, 4.0);
+    let share = dot(hidden, max(1.0 - abs(x), vec4f(0.0)));
+    return mix(sky, cloudy, share);
+}
