@@ -34,9 +34,8 @@ impl Look {
 
 /// The composed shader of the clouds.
 pub fn source(Look { globe, scale, fine }: Look) -> String {
-    let definitions = format!(
-        "const GLOBE: bool = {globe};\nconst SCALE: f32 = {scale}.0;\nconst FINE: bool = {fine};\n"
-    );
+    let definitions =
+        format!("const GLOBE: bool = {globe};\nconst SCALE: f32 = {scale}.0;\nconst FINE: bool = {fine};\n");
     shader::composed(include_str!("../../shaders/clouds.wgsl"), &definitions)
 }
 

@@ -66,7 +66,11 @@ fn water_is_not_seen_in_a_white_furnace() {
     let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
     let groups = [
         kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells),
-        gpu.bind("furnace", &layouts[1], &[&views.map(wgpu::BindingResource::TextureView)[..], &[no_clouds.clone(), no_clouds]].concat()),
+        gpu.bind(
+            "furnace",
+            &layouts[1],
+            &[&views.map(wgpu::BindingResource::TextureView)[..], &[no_clouds.clone(), no_clouds]].concat(),
+        ),
     ];
     let kernel = Kernel::<1>::new(&gpu, &shader::composed(KERNEL, ""), "glow", &layouts.each_ref());
     let mut asked = Vec::new();

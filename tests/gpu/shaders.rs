@@ -13,8 +13,8 @@ use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe, land, ocean,
-    perlin, sky, sky_table, sky_view, stars, tonemap, waterline,
+    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe,
+    land, ocean, perlin, sky, sky_table, sky_view, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;

@@ -10,9 +10,9 @@ use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
-/// Off the Exumas, Bahamas: 3.6 m of water.
-const SHALLOWS: &str = "24.3,-76.55";
-const SHALLOWS_BELOW: &str = "24.3,-76.55,-1.5";
+/// Off the Exumas, Bahamas: 3.5 m of water.
+const SHALLOWS: &str = "24.31,-76.56";
+const SHALLOWS_BELOW: &str = "24.31,-76.56,-1.5";
 const NOON: &str = "time=2026-06-21T17:00:00Z&clouds=0";
 
 fn state(link: &str) -> ViewState {
@@ -170,7 +170,7 @@ fn model_row(renderer: &mut Renderer, state: &ViewState, eye: &Camera, instant: 
     for _ in 0..4 {
         let lens = LENS_M * (axes.forward + (2.0 * x - 1.0) * half * aspect * axes.right + up * half * axes.up);
         let place = WGS84.geodetic_from_ecef(eye.eye_ecef() + from_enu * DVec3::new(lens.x, lens.y, 0.0)).unwrap();
-        let water = renderer.seas_mut().sample(&state.settings, place.lat, place.lon, instant, 3.6).height_m;
+        let water = renderer.seas_mut().sample(&state.settings, place.lat, place.lon, instant, 3.47).height_m;
         up += (water - eye.altitude_m - lens.z) / (LENS_M * half * axes.up.z);
     }
     0.5 - 0.5 * up

@@ -43,7 +43,8 @@ pub const MOST_NODES: u32 = 60_000;
 fn net(quality: Quality, size: [u32; 2]) -> [u32; 2] {
     let wished = if quality == Quality::Low { NODE_PIXELS_LOW } else { NODE_PIXELS };
     let nodes = |pixels: u32| size.map(|side| side.div_ceil(pixels) + 1);
-    let few = |pixels: &u32| nodes(*pixels).iter().map(|side| u64::from(*side)).product::<u64>() <= u64::from(MOST_NODES);
+    let few =
+        |pixels: &u32| nodes(*pixels).iter().map(|side| u64::from(*side)).product::<u64>() <= u64::from(MOST_NODES);
     nodes((wished..).find(few).unwrap_or(u32::MAX))
 }
 
@@ -82,8 +83,7 @@ pub fn set_clouds(
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;
-    shown.then(|| Clouds {
-        net, weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
+    shown.then(|| Clouds { net, weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
 }
 
 /// How much longer a picture is exposed below clouds that cover a share of the sky: for two thirds of the light that they take, in stops.
