@@ -24,8 +24,8 @@ const THICK_RAMP: f32 = 0.35;
 // Of young foam so much is dense: there are holes between its heaps.
 const CLOSED: f32 = 0.7;
 // Dense foam is whitest where it lies in heaps: from how much higher on, and how much of its opacity these are.
-const HEAPED_FROM: f32 = 1.2;
-const HEAPS: f32 = 0.5;
+const HEAPED_FROM: f32 = 0.8;
+const HEAPS: f32 = 0.4;
 // The lip of dense foam shades the water before it: this wide, in deviations, and so much.
 const SHADED: f32 = 0.6;
 const SHADE: f32 = 0.45;
