@@ -172,7 +172,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let phase = cloud_phase(dot(direction, frame.light));
     // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
     let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));
-    let water = water_clouds(ray, direction, far, phase, select(0.35 + 0.3 * spread, 0.5, GLOBE));
+    let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }
