@@ -8,7 +8,7 @@ use ocean_globe::data::coast::{self, Ring, field::field};
 use ocean_globe::data::fetch::Source;
 use ocean_globe::data::pmtiles::Archive;
 use ocean_globe::data::tile::{
-    Layer, MapPoint, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texel_size_m, texels_across,
+    Layer, MapPoint, Projection, TILE_TEXELS, TileId, map_from_lat_lon, texel_size_m, texels_across,
 };
 use ocean_globe::data::water::{OwnShores, WaterClass, unpacked};
 use ocean_globe::data::world::{DEEPEST_SHORES, World};
