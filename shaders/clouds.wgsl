@@ -11,7 +11,7 @@
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
-const SHORTEST_STEP: Metres = 220.0;     // of an eye among clouds; from space steps are no shorter than the second
+const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
 const FINER = 6.0;                      // steps in a cloud, of those between

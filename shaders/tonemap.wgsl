@@ -1,5 +1,5 @@
 // From scene radiance to display: AgX, which takes the colour out of what is too bright for a display instead of clipping it
-// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), for the whites of daylight, with a little more contrast and colour,
+// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), for the whites of daylight, with more contrast,
 // and half a step of noise, so that no sky has bands.
 #import full_screen
 #import hash
@@ -16,7 +16,6 @@ const OUTSET = mat3x3f(
     -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
 const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
 const BRIGHTEST = 2.8;            // white by a stop and a half sooner than his: clouds and foam are white in photographs
-const SATURATION = 1.1;
 
 // The curve over the logarithm, 0...1 both, to the power of 1.55, which puts a grey card where it was: a fit of its own, within 0.02 of a
 // display's 255 steps, which spares a power for each colour.
@@ -28,8 +27,7 @@ fn agx_curve(x: vec3f) -> vec3f {
 fn displayed(radiance: vec3f) -> vec3f {
     let x = (log2(max(INSET * (BALANCE * radiance), vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
     let toned = max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0));
-    let grey = dot(toned, vec3f(0.2126, 0.7152, 0.0722));
-    return clamp(OUTSET * mix(vec3f(grey), toned, SATURATION), vec3f(0.0), vec3f(1.0));
+    return clamp(OUTSET * toned, vec3f(0.0), vec3f(1.0));
 }
 
 @fragment

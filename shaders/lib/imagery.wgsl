@@ -12,8 +12,6 @@ const IMAGERY_SCALE: f32 = 0.76;
 const IMAGERY_POWER: f32 = 0.8;
 const IMAGERY_DARK = vec3f(0.014, 0.022, 0.009);
 
-fn albedo_of(value: vec3f) -> vec3f { return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK; }
-
 // A texel of a level's whole map; see `texel` of lib/world.wgsl.
 fn imagery_texel(square: u32, level: u32, index: vec2u, tile: vec2u, page: Page) -> vec3f {
     let own_tile = index >> vec2u(TILE_BITS);
@@ -30,25 +28,9 @@ fn imagery_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, p
         + weights.z * imagery_texel(square, level, vec2u(columns.z, row), tile, page);
 }
 
-// The same of four texels, bilinear.
-fn imagery_quickly(point: MapPoint, page: Page) -> vec3f {
-    let shift = 24u - page.level;
-    let shifted = point.at - vec2u(1u << (shift - 1u));
-    let f = vec2f(shifted & vec2u((1u << shift) - 1u)) / f32(1u << shift);
-    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
-    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
-    let a = (shifted >> vec2u(shift)) & mask;
-    let b = (a + 1u) & mask;
-    return mix(
-        mix(imagery_texel(point.square, page.level, a, tile, page), imagery_texel(point.square, page.level, vec2u(b.x, a.y), tile, page), f.x),
-        mix(imagery_texel(point.square, page.level, vec2u(a.x, b.y), tile, page), imagery_texel(point.square, page.level, b, tile, page), f.x), f.y);
-}
-
-// Albedo as the tiles have it: a quadratic B-spline over nine texels, which shows no squares where texels are many pixels wide; a coarse picture
-// has it of four.
+// Albedo as the tiles have it: a quadratic B-spline over nine texels, which shows no squares where texels are many pixels wide.
 fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     let page = pages_at(point, level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)))).imagery;
-    if !FINE { return albedo_of(imagery_quickly(point, page)); }
     let shift = 24u - page.level;
     let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
     let mask = vec2u((TILE_TEXELS << page.level) - 1u);
@@ -62,7 +44,7 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     let value = down.x * imagery_row(point.square, page.level, columns, first.y, tile, page, along)
         + down.y * imagery_row(point.square, page.level, columns, middle.y, tile, page, along)
         + down.z * imagery_row(point.square, page.level, columns, last.y, tile, page, along);
-    return albedo_of(value);
+    return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
 }
 
 // What is finer than any imagery here, from 5 km down to 1 m or what pixels hold: tones whose mean is none, of all and of the coarse half, and
@@ -73,7 +55,8 @@ const VALLEY_MEAN: f32 = 0.1408;   // of the size of `map_noise_rise`, over the 
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
 
 // Valleys, creased where the noise is none, between round hills; from 100 m on down patches of what grows and lies there. Each octave bends
-// the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair. As in lib/waves.wgsl, the loop ends at its foot.
+// the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
+// As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
     var detail = Detail(0.0, 0.0, vec2f(0.0));
     var level = 13u;

@@ -122,8 +122,8 @@ impl Clouds {
         // Pixels at the rim of the part read those beside it.
         let [left, top, width, height] = area;
         let [first, last] = [[left, top], [left + width, top + height]];
-        let first = first.map(|at| (at / scale).saturating_sub(1));
-        let last = [0, 1].map(|axis: usize| (last[axis].div_ceil(scale) + 1).min(size[axis].div_ceil(scale)));
+        let first = first.map(|at| (at / scale).saturating_sub(2));
+        let last = [0, 1].map(|axis: usize| (last[axis].div_ceil(scale) + 2).min(size[axis].div_ceil(scale)));
         let mut pass = begin(encoder, "clouds", &small.view, wgpu::Color::TRANSPARENT, None);
         pass.set_pipeline(&self.drawings[look.index()]);
         let part = [first[0], first[1], last[0] - first[0], last[1] - first[1]];

@@ -30,7 +30,7 @@ fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
     [x / (x + y + z), y / (x + y + z)]
 }
 
-/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55 and saturation 1.1.
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55.
 pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     const INSET: [[f64; 3]; 3] = [
         [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
@@ -50,8 +50,7 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
     let toned = times(INSET, balanced)
         .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
-    let grey = luminance(toned);
-    times(OUTSET, toned.map(|part| grey + 1.1 * (part - grey))).map(|part| part.clamp(0.0, 1.0))
+    times(OUTSET, toned).map(|part| part.clamp(0.0, 1.0))
 }
 
 /// Radiance in the middle of a picture.

@@ -144,7 +144,7 @@ const OBLIQUE: Sweep = Sweep { name: "oblique", zenith_deg: 60.0, size: [192, 48
 
 #[test]
 fn a_fresh_breeze_seen_from_above_has_one_luminance() {
-    DOWN.check("bft=5");
+    DOWN.check("bft=5&clouds=0");
 }
 
 #[test]

@@ -36,12 +36,15 @@ const RIM: u32 = 256;
 const NODE_PIXELS: u32 = 3;
 /// And at low quality.
 const NODE_PIXELS_LOW: u32 = 8;
+/// As many nodes along the longer side there are at least: a small picture has the same places as a large one.
+const LEAST_ACROSS: u32 = 80;
 /// Nodes of a net, at most: larger pictures have wider ones.
 pub const MOST_NODES: u32 = 60_000;
 
 /// Nodes across and down of the net over a picture of `size` pixels.
 fn net(quality: Quality, size: [u32; 2]) -> [u32; 2] {
     let wished = if quality == Quality::Low { NODE_PIXELS_LOW } else { NODE_PIXELS };
+    let wished = wished.min(size[0].max(size[1]) / LEAST_ACROSS).max(1);
     let nodes = |pixels: u32| size.map(|side| side.div_ceil(pixels) + 1);
     let few =
         |pixels: &u32| nodes(*pixels).iter().map(|side| u64::from(*side)).product::<u64>() <= u64::from(MOST_NODES);

@@ -154,8 +154,8 @@ impl Frame {
     pub fn cloud_scale(&self, globe: bool) -> u32 {
         match self.quality {
             Quality::Low => 4,
-            Quality::Auto | Quality::Medium if !globe => 2,
-            _ => 1,
+            _ if globe => 1,
+            _ => 2,
         }
     }
 
