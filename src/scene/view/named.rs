@@ -47,7 +47,7 @@ pub const VIEWS: [View; 14] = [
         id: "lagoon",
         widget: "viewLagoon",
         title: "a lagoon, 700 m",
-        fragment: "view=24.34,-76.59,700,110,70&bft=4&wind=7@60&clouds=0.3&time=2026-06-21T16:00:00Z",
+        fragment: "view=24.34,-76.59,700,110,70&wind=7@60&clouds=0.3&time=2026-06-21T16:00:00Z",
     },
     View {
         id: "coast",
