@@ -4,7 +4,6 @@
 
 const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
-const MIRROR_NODES = 4u;    // nodes for shadows along one of those for what is mirrored, which is blurred by far
 
 // Eight or six numbers 0...1 in 16 bits each: at each node `Shadow` of clouds.wgsl, the last of them for the eye's foot; then what is hidden at
 // each rise ahead at those for what is mirrored.

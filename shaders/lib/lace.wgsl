@@ -1,6 +1,7 @@
 // Foam's lace: from the share of the water that is covered to what a pixel sees. The tile of its level, which is standard normal, lies on
 // the water in several sizes; their weighted sum g is normal, too. Where a share s is covered g lies above -quantile(s); what a pixel
 // cannot show of g is a variance, so that means over the water do not depend on how wide pixels are. src/model/lace.rs has the reasons.
+// Long, but one thing: each step takes what the one above it gives.
 #import foam
 #import foam_light
 #import normal

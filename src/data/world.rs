@@ -6,6 +6,7 @@
 //!
 //! It is long, but one thing: a request's way from wish to answer, in the order in which it goes.
 
+mod answer;
 mod cache;
 mod shores;
 mod slot;
@@ -17,8 +18,9 @@ use super::sample::{Sample, Terrain, sample};
 use super::streaming::PAGE_LEVELS;
 use super::tile::{Layer, Projection, TileId};
 use super::water::OwnShores;
-use super::{SharedTexels, TileTexels, coast, imagery, terrarium, water};
+use super::{SharedTexels, TileTexels};
 use crate::error::{Error, Result};
+use answer::{deepest, load, stored};
 use cache::Cache;
 use shores::Unfinished;
 use slot::{Opening, Slot};
@@ -465,43 +467,7 @@ impl World {
     }
 }
 
-/// Deepest level of the tiles that an archive gives.
-fn deepest(archive: &Archive<Source>) -> u8 {
-    let header = archive.header();
-    if header.tile_type == coast::TILE_TYPE { header.max_zoom.max(DEEPEST_SHORES) } else { header.max_zoom }
-}
-
-/// The tile of the archive that tells of a tile: itself, or where the archive ends its ancestor.
-fn stored(archive: &Archive<Source>, id: TileId) -> TileId {
-    id.ancestor(archive.header().max_zoom).unwrap_or(id)
-}
-
 /// The wait after a failed attempt, seconds.
 fn wait_s(tried: u32) -> f64 {
     FIRST_WAIT_S * 4f64.powi(tried.saturating_sub(1).min(4) as i32)
-}
-
-async fn load(archive: &Archive<Source>, key: Key) -> Result<Option<Decoded>> {
-    let stored = stored(archive, key.1);
-    let Some(bytes) = archive.tile(stored.z, stored.x, stored.y).await? else { return Ok(None) };
-    decoded(archive, key, &bytes)
-}
-
-/// What the bytes of a tile say of it; `None` where its shores are too far to be told at its level, so that its parent serves.
-fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8]) -> Result<Option<Decoded>> {
-    let what = format!("{} tile {id}", layer.name());
-    let texels = match layer {
-        Layer::Terrain => {
-            let mapbox = archive.metadata().get("encoding").is_some_and(|e| e == "mapbox");
-            let encoding = if mapbox { terrarium::Encoding::Mapbox } else { terrarium::Encoding::Terrarium };
-            TileTexels::Terrain(terrarium::decode(&what, bytes, encoding)?)
-        }
-        Layer::Water if archive.header().tile_type == coast::TILE_TYPE => {
-            let shores = coast::Shores::decode(&what, bytes)?;
-            return Ok(coast::field::field(id, stored(archive, id).z, &shores).map(Decoded::Near));
-        }
-        Layer::Water => return water::decode(&what, bytes).map(|shores| Some(Decoded::Near(shores))),
-        Layer::Imagery => TileTexels::Imagery(imagery::decode(&what, bytes)?),
-    };
-    Ok(Some(Decoded::Whole(texels)))
 }

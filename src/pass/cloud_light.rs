@@ -2,12 +2,10 @@
 
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::{Gpu, shader};
-use crate::scene::frame::clouds::MOST_NODES;
+use crate::scene::frame::clouds::{MIRROR_NODES, MOST_NODES};
 
 /// Bytes of a node: 16 bits for each of four numbers.
 const NODE: u64 = 8;
-/// Nodes for shadows along one of those for what is mirrored; `MIRROR_NODES` of the shader.
-const MIRROR_NODES: u32 = 4;
 /// Threads of a workgroup.
 const THREADS: u32 = 64;
 

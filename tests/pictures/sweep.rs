@@ -12,7 +12,7 @@ use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::flight::Flight;
 use ocean_globe::scene::view::state::ViewState;
 
-use crate::light::displayed;
+use crate::tone::displayed;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SEA: &str = "bft=8&quality=low&time=2026-11-20T12:00:00Z&rate=0";

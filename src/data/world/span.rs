@@ -3,7 +3,8 @@
 //! An archive holds the tiles of a level along a Hilbert curve, and tiles of the same content once: what is seen together often lies
 //! together.
 
-use super::{Decoded, Key, decoded, load};
+use super::answer::{decoded, load};
+use super::{Decoded, Key};
 use crate::data::fetch::Source;
 use crate::data::pmtiles::Archive;
 use crate::error::Result;

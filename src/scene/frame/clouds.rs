@@ -38,6 +38,8 @@ const NODE_PIXELS: u32 = 3;
 const NODE_PIXELS_LOW: u32 = 8;
 /// As many nodes along the longer side there are at least: a small picture has the same places as a large one.
 const LEAST_ACROSS: u32 = 80;
+/// Nodes for shadows along one of those for what is mirrored, which is blurred by far.
+pub const MIRROR_NODES: u32 = 4;
 /// Nodes of a net, at most: larger pictures have wider ones.
 pub const MOST_NODES: u32 = 60_000;
 

@@ -24,7 +24,12 @@ pub const SHOWS_SKY: u32 = 4;
 
 /// Numbers that the CPU and the shaders must agree on, as WGSL constants.
 pub fn shared_constants() -> String {
-    let bits = [("SHOWS_LAND", SHOWS_LAND), ("SHOWS_SEA", SHOWS_SEA), ("SHOWS_SKY", SHOWS_SKY)];
+    let bits = [
+        ("SHOWS_LAND", SHOWS_LAND),
+        ("SHOWS_SEA", SHOWS_SEA),
+        ("SHOWS_SKY", SHOWS_SKY),
+        ("MIRROR_NODES", super::clouds::MIRROR_NODES),
+    ];
     let numbers = [
         ("HELD_BY_DEPTH", HELD_BY_DEPTH),
         ("LEAST_JACOBIAN", LEAST_JACOBIAN),

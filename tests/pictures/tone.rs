@@ -1,0 +1,110 @@
+//! From radiance to display: the tone, and how long pictures are exposed.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::model::daylight::BALANCE;
+use ocean_globe::renderer::{Radiance, Renderer};
+use ocean_globe::scene::frame::{Frame, Output};
+
+use crate::light::{DATA, luminance, with_sun_at};
+
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55.
+pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
+    const INSET: [[f64; 3]; 3] = [
+        [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
+        [0.0423282422610123, 0.878468636469772, 0.0791661274605434],
+        [0.0423756549057051, 0.0784336, 0.879142973793104],
+    ];
+    const OUTSET: [[f64; 3]; 3] = [
+        [1.19687900512017, -0.0980208811401368, -0.0990297440797205],
+        [-0.0528968517574562, 1.15190312990417, -0.0989611768448433],
+        [-0.0529716355144438, -0.0980434501171241, 1.15107367264116],
+    ];
+    let times = |rows: [[f64; 3]; 3], v: [f64; 3]| rows.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>());
+    let curve = |x: f64| {
+        let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
+        powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.55)
+    };
+    let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
+    let toned = times(INSET, balanced)
+        .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
+    times(OUTSET, toned).map(|part| part.clamp(0.0, 1.0))
+}
+
+#[test]
+fn no_pixel_is_black_or_burnt_but_in_the_glint() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    for elevation in [20.0, 40.0, 60.0] {
+        for wind in [3, 7, 12] {
+            // Away from the sun and across it, foam and sky with it.
+            for heading in [90, 0] {
+                let link = format!("#view=0,-30,15,{heading},84&clouds=0&wind={wind}@90&{}", with_sun_at(elevation));
+                let state = render::parse_state(&link).unwrap();
+                let values = render::measure(&mut renderer, &state, [160, 90], LayerName::Radiance).unwrap().values;
+                let camera = state.camera;
+                let exposure =
+                    Frame::new(&state.settings, &camera, render::instant(&state), [160, 90]).uniform.exposure;
+                for (pixel, rgb) in values.chunks_exact(3).enumerate() {
+                    let shown = displayed(std::array::from_fn(|part| f64::from(exposure) * rgb[part]));
+                    let here =
+                        || format!("sun {elevation}, {wind} m/s, heading {heading}, pixel {pixel}: {rgb:?} {shown:?}");
+                    assert!(rgb.iter().all(|part| part.is_finite() && *part >= 0.0), "{}", here());
+                    assert!(shown.iter().all(|part| *part < 0.98) && luminance(shown) > 0.02, "{}", here());
+                }
+            }
+        }
+    }
+}
+
+/// Share of a picture towards a low sun that is all but white, were it exposed `factor` times as long as it is.
+fn burnt(renderer: &mut Renderer, elevation: f64, factor: f64) -> f64 {
+    let link = format!("#view=0,-30,6,270,89&clouds=0&bft=4&quality=low&{}", with_sun_at(elevation));
+    let state = render::parse_state(&link).unwrap();
+    let values = render::measure(renderer, &state, [160, 90], LayerName::Radiance).unwrap().values;
+    let frame = Frame::new(&state.settings, &state.camera, render::instant(&state), [160, 90]);
+    let exposure = factor * f64::from(frame.uniform.exposure);
+    let white = |rgb: &&[f64]| displayed([exposure * rgb[0], exposure * rgb[1], exposure * rgb[2]])[1] > 250.0 / 255.0;
+    values.chunks_exact(3).filter(white).count() as f64 / (160.0 * 90.0)
+}
+
+#[test]
+fn a_low_sun_does_not_burn_the_sky_about_it() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    for elevation in [5.0, 10.0] {
+        // 2.2: as a picture with the sun behind it is exposed.
+        let [share, away] = [1.0, 2.2].map(|factor| burnt(&mut renderer, elevation, factor));
+        println!(
+            "sun at {elevation} degrees: {share:.4} of the picture is white, {away:.4} as exposed away from the sun"
+        );
+        // The disc with its glow, some 10 degrees across, has a fiftieth of the picture, its path on the sea as much.
+        assert!(share < 0.04 && share < 0.5 * away, "{share} {away}");
+    }
+}
+
+#[test]
+fn the_display_has_the_tone_of_agx() {
+    // A grey card in the light that the exposure is metered for.
+    let card = 255.0 * displayed([0.18 * 2f64.powf(0.7); 3])[1];
+    println!("grey card {card:.1}");
+    assert!((card - 141.0).abs() < 5.0, "{card}");
+    // Ever brighter, up to white.
+    let ramp: Vec<f64> = (-120..=28).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
+    assert!(ramp.windows(2).all(|pair| pair[1] > pair[0]) && ramp[0] < 0.01 && ramp[ramp.len() - 1] > 0.98);
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [64, 36];
+    for view in ["36.5,-9.5,15,290,86&bft=3&time=2026-06-21T19:50:00Z", "20,-40,9e6&time=2026-06-21T14:30:00Z"] {
+        let state = render::parse_state(&format!("#view={view}&clouds=0&quality=low&rate=0")).unwrap();
+        let measured = render::measure(&mut renderer, &state, size, LayerName::Radiance).unwrap();
+        let (frame, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();
+        let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
+        let mut darkest = 255;
+        for (pixel, (rgba, radiance)) in bytes.chunks_exact(4).zip(measured.values.chunks_exact(3)).enumerate() {
+            let exposed = std::array::from_fn(|part| radiance[part] * f64::from(frame.uniform.exposure));
+            for (byte, wanted) in rgba.iter().zip(displayed(exposed)) {
+                // Half a step of noise, half a step of rounding, and what 32 bits lose in the curve.
+                assert!((f64::from(*byte) - 255.0 * wanted).abs() < 1.1, "{view}, {pixel}: {byte} of {wanted}");
+            }
+            darkest = darkest.min(*rgba[..3].iter().max().unwrap());
+        }
+        println!("{view}: exposure {:.2}, darkest pixel {darkest}", frame.uniform.exposure);
+    }
+}
