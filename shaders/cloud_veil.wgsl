@@ -1,6 +1,6 @@
 // Clouds that clouds.wgsl has drawn into a smaller picture, laid over the whole one. What stands among them or before them, a mountain, is
-// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. `SCALE` is of
-// src/pass/clouds.rs.
+// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. From space (`GLOBE`) nothing does,
+// and no depth has been drawn. `GLOBE` and `SCALE` are of src/pass/clouds.rs.
 #import full_screen
 #import cloud_layer
 
@@ -19,6 +19,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         let aside = vec2f(f32(i & 1u), f32(i >> 1u)) - 0.5;
         seen += 0.25 * textureSampleLevel(small, clamped, (place + aside) / size, 0.0);
     }
+    if GLOBE { return seen; }
     let ray = eye_ray(direction);
     let water = layer_stretch(ray, 1e9);
     let shell = shell_hits(ray, ICE_HEIGHT);

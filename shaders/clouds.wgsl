@@ -1,13 +1,11 @@
-// Clouds before everything that has been drawn: water clouds step by step through their layer, ice clouds as a shell. `GLOBE`: the
-// ellipsoid is all that may stand in front of them. `SCALE`: pixels of the picture along one that is drawn here; from 2 on cloud_veil.wgsl
+// Clouds over the ellipsoid: water clouds step by step through their layer, ice clouds as a shell. `GLOBE`: from
+// space. `SCALE`: pixels of the picture along one that is drawn here; from 2 on cloud_veil.wgsl
 // lays the result over the picture. `FINE`: each place in a cloud looks towards the sun.
 #import full_screen
 #import clouds
 #import cloud_layer
 #import light
 #import air
-
-@group(2) @binding(0) var scene_depth: texture_depth_2d;
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
@@ -164,11 +162,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let ray = eye_ray(direction);
     let hit = surface_hit(ray);
     let is_open = (hit < 0.0) | is_open_below;
-    var far = select(hit, 1e9, is_open);
-    if !GLOBE & (SCALE == 1.0) {
-        let depth = textureLoad(scene_depth, vec2u(corner.position.xy), 0);
-        far = min(far, NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3));
-    }
+    let far = select(hit, 1e9, is_open);
     let phase = cloud_phase(dot(direction, frame.light));
     // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
     let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));

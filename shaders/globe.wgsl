@@ -7,6 +7,7 @@
 #import sky
 #import waves
 
+const SHOWS_COVER = false;
 const WAVES = false;
 const NOISE = false;
 

@@ -15,6 +15,7 @@ struct Vertex {
     @location(4) ways: vec4f,
 }
 
+const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down

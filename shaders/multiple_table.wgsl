@@ -7,8 +7,8 @@
 @group(1) @binding(1) var multiple_table: texture_storage_2d<rgba16float, write>;
 
 const GROUND_ALBEDO = 0.06;          // of the sea
-const ELEVATIONS = 8u;               // directions around a point: even shares of the sphere
-const AZIMUTHS = 8u;
+const ELEVATIONS = 16u;               // directions around a point: even shares of the sphere
+const AZIMUTHS = 6u;
 const STEPS = 20u;
 
 // What comes to a point from a direction: light that has been scattered once or reflected by the ground, and the share of the
@@ -33,9 +33,9 @@ fn arriving(h: Metres, mu: f32, azimuth: f32, mu_sun: f32) -> Arriving {
         let mu_here = clamp(((frame.semi_major + h) * mu_sun + middle * cosine) / (frame.semi_major + height), -1.0, 1.0);
         let air = medium_at(height);
         let passed = exp(air.extinction * (t - next));
-        let inside = through * (air.rayleigh + air.mie) * seen_length(air.extinction, passed);
-        found.light += inside * sunlight(height, mu_here) / (4.0 * PI);
-        found.share += inside;
+        let far = through * seen_length(air.extinction, passed);
+        found.light += (air.rayleigh * rayleigh_phase(cosine) + air.mie * mie_phase(cosine)) * far * sunlight(height, mu_here);
+        found.share += (air.rayleigh + air.mie) * far;
         through *= passed;
         t = next;
     }
@@ -46,8 +46,8 @@ fn arriving(h: Metres, mu: f32, azimuth: f32, mu_sun: f32) -> Arriving {
     return found;
 }
 
-// Radiance that comes from all around after two scatterings and more, per unit of solar irradiance, taken as the same from
-// everywhere: every further scattering passes on the same share.
+// Radiance that comes from all around after two scatterings and more, per unit of solar irradiance. The first is by each phase function, or
+// twilight would end too early; after it light is taken as the same from everywhere: every further scattering passes on the same share.
 @compute @workgroup_size(8, 8)
 fn multiples(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(multiple_table);

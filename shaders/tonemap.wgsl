@@ -15,7 +15,7 @@ const OUTSET = mat3x3f(
     -0.0980208811401368, 1.15190312990417, -0.0980434501171241,
     -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
 const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
-const BRIGHTEST = 2.8;            // white by a stop and a half sooner than his: clouds and foam are white in photographs
+const BRIGHTEST = 2.8;            // white 1.2 stops sooner than his: clouds and foam are white in photographs
 
 // The curve over the logarithm, 0...1 both, to the power of 1.55, which puts a grey card where it was: a fit of its own, within 0.02 of a
 // display's 255 steps, which spares a power for each colour.

@@ -229,7 +229,7 @@ impl Renderer {
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
             let samples = self.targets.as_ref().map_or(1, Targets::samples);
             for kind in [Some(kind), side.below()].into_iter().flatten() {
-                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.near_shore), samples);
+                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
             }
             // Coarse tiles are far ones.
             let streaming = &self.streaming;
@@ -244,7 +244,7 @@ impl Renderer {
         if let Some(clouds) = seen_clouds {
             self.cloud_map.prepare(&self.gpu, clouds.weather);
         }
-        self.cloud_light.prepare(seen_clouds.map(|clouds| clouds.net));
+        self.cloud_light.prepare(seen_clouds.map(|clouds| (clouds.net, frame.is_fine())));
         self.dispatches = self.air_table.dispatches()
             + self.cloud_map.dispatches()
             + self.cloud_light.dispatches()
@@ -273,8 +273,7 @@ impl Renderer {
         }
         self.cloud_light.hand_over(encoder);
         let surface = self.surface.group();
-        let globe = self.visible.is_none();
-        let cloud_look = CloudLook { globe, scale: frame.cloud_scale(globe), fine: frame.is_fine() };
+        let cloud_look = CloudLook::of(self.visible.is_none(), frame.is_fine());
         if let Some((pass, clouds)) = self.clouds.as_mut().zip(frame.clouds).filter(|_| is_seen) {
             pass.sketch(&self.gpu, encoder, (cloud_look, frame.size, clouds.area), [frame_group, surface]);
         }
@@ -307,7 +306,7 @@ impl Renderer {
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            self.draw_sea(&mut pass, frame, (kind, side.near_shore), targets.samples());
+            self.draw_sea(&mut pass, frame, (kind, side.shows_surf), targets.samples());
             self.passes.draw_backdrop(&mut pass, targets);
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
@@ -323,12 +322,12 @@ impl Renderer {
     }
 
     /// Draws the sea's surface for a kind of picture, where the frame shows it.
-    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, (kind, near_shore): (Kind, bool), samples: u32) {
+    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, (kind, shows_surf): (Kind, bool), samples: u32) {
         if frame.uniform.layers & SHOWS_SEA == 0 {
             return;
         }
         let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
-        let look = Look::of(frame, kind, near_shore);
+        let look = Look::of(frame, kind, shows_surf);
         self.ocean.draw(pass, (frame, look, samples), frame_group, surface, self.mesh.drawn());
     }
 
@@ -362,7 +361,7 @@ impl Renderer {
         let caustics = texture::view(&self.below.caustics.map);
         self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth]);
         if let Some(clouds) = &mut self.clouds {
-            clouds.set_scene(&self.gpu, &targets.scene_depth);
+            clouds.set_scene(&targets.scene_depth);
         }
         self.targets = Some(targets);
     }

@@ -10,11 +10,12 @@ const OZONE = vec3f(0.65e-6, 1.881e-6, 0.085e-6);
 const OZONE_THICKNESS: Metres = 15000.0;
 const OZONE_HEIGHT: Metres = 25000.0;
 const RAYLEIGH_HEIGHT: Metres = 8000.0;                  // scale heights
-// Above the tropopause the air is thinner than the exponential: within a tenth of the US Standard Atmosphere 1976 up to 75 km. All of the light of
-// twilight comes from there.
-const THIN_ABOVE = 0.45;
-const THINS_FROM: Metres = 10000.0;
-const THINS_TO: Metres = 42000.0;
+// Above the tropopause the air is thinner than the exponential: with these it scatters from 8 to 70 km within 6 % of what the US Standard
+// Atmosphere 1976 does (its densities with the optical depth .0972 at 550 nm of B. Bodhaine et al. 1999), and all of the light of twilight comes
+// from there. At sea level it scatters a sixth more, and its whole column is .103.
+const THIN_ABOVE = 0.385;
+const THINS_FROM: Metres = 4000.0;
+const THINS_TO: Metres = 44000.0;
 const MIE_HEIGHT: Metres = 1200.0;
 const TOP: Metres = 100000.0;
 const SUN_IRRADIANCE = vec3f(1.0, 0.98, 0.95);           // the unit of radiance; colour of the extraterrestrial sun
@@ -23,11 +24,13 @@ const PI = 3.141592653589793;
 // Extinction by the aerosol at sea level, per metre: a column of `frame.haze` at 550 nm over its scale height.
 fn mie_extinction() -> vec3f { return frame.haze / MIE_HEIGHT * MIE_COLOUR; }
 
+fn thinned(h: Metres) -> f32 { return mix(1.0, THIN_ABOVE, smoothstep(THINS_FROM, THINS_TO, h)); }
+
 // The air at a height: what molecules and aerosol scatter, and what a beam loses, per metre.
 struct Medium { rayleigh: vec3f, mie: vec3f, extinction: vec3f }
 
 fn medium_at(h: Metres) -> Medium {
-    let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT) * mix(1.0, THIN_ABOVE, smoothstep(THINS_FROM, THINS_TO, h));
+    let rayleigh = RAYLEIGH * exp(-h / RAYLEIGH_HEIGHT) * thinned(h);
     let mie = mie_extinction() * exp(-h / MIE_HEIGHT);
     let ozone = OZONE * max(1.0 - abs(h - OZONE_HEIGHT) / OZONE_THICKNESS, 0.0);
     return Medium(rayleigh, MIE_ALBEDO * mie, rayleigh + mie + ozone);

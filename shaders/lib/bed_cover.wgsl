@@ -4,6 +4,8 @@
 #import noise
 
 const BED_SIDE: f32 = 4096.0;
+const BED_TURN: f32 = 9784.0 * BED_SIDE;       // of a turn round the equator, which has a whole number of squares
+const BARE_FROM: Metres = 45.0;                // no deeper bed is seen
 
 fn bed_corner(cell: vec2i, cells: i32, salt: u32, offset: vec2f) -> vec3f {
     let word = hash(vec3u(bitcast<vec2u>(((cell % cells) + cells) % cells), salt));
@@ -61,8 +63,9 @@ const APART_FROM: Metres = 12.0;
 
 // Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them.
 fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -> vec3f {
-    if point.square != MERCATOR { return sand; }
-    let away = vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) * (EARTH_TURN / 4294967296.0);
+    // Beyond the polar circles nothing grows there.
+    if point.square != MERCATOR || depth > BARE_FROM { return sand; }
+    let away = vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) * (BED_TURN / 4294967296.0);
     let place = frame.bed_origin + vec2f(away.x, -away.y);
     let seen = vec4f(shown(footprint, 256.0), shown(footprint, 128.0), shown(footprint, 64.0), shown(footprint, 32.0));
     let near = vec3f(shown(footprint, 16.0), shown(footprint, 4.0), shown(footprint, 1.0));

@@ -5,8 +5,8 @@
 const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
 
-// Eight or six numbers 0...1 in 16 bits each: at each node `Shadow` of clouds.wgsl, the last of them for the eye's foot; then what is hidden at
-// each rise ahead at those for what is mirrored.
+// Numbers 0...1 in 16 bits each: three at each node, `Shadow` of clouds.wgsl, the last node for the eye's foot; then four at each of those for what
+// is mirrored, which a coarse picture has none of: what is hidden at each rise ahead.
 @group(1) @binding(13) var<storage, read> cloud_net: array<vec2u>;
 
 fn cloud_net_size() -> vec2u { return vec2u(frame.cloud_net & 0xffffu, frame.cloud_net >> 16u); }
@@ -49,6 +49,12 @@ fn clouded_daylight(light: Daylight, place: vec3f, up: vec3f) -> Daylight {
 fn clouded_daylight_at_eye(light: Daylight) -> Daylight {
     let size = cloud_net_size();
     return shaded(light, frame.light.z, net_shadow(size.x * size.y));
+}
+
+// How much of the sky clouds cover there.
+fn cover_at_eye() -> f32 {
+    let size = cloud_net_size();
+    return net_shadow(size.x * size.y).y;
 }
 
 fn net_hidden(node: u32) -> vec4f {

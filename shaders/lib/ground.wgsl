@@ -1,4 +1,5 @@
-// Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs).
+// Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), and SHOWS_COVER: whether pixels may be so narrow
+// that they show what covers the bed.
 #import ground_colour
 #import bed_cover
 #import imagery
@@ -57,7 +58,7 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
     }
     if is_bed {
         albedo = bed_colour(-ground.elevation);
-        if FINE { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
+        if FINE && SHOWS_COVER { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
     }
     albedo = mix(albedo, sand, smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
         * select(saturate(beach / footprint), 0.0, is_bed));

@@ -12,7 +12,7 @@ const OPEN_FETCH: Metres = 6000.0;    // of water up wind from which on the sea 
 const LEAST_SURF: f32 = 0.06;         // share of the waves' height that reaches the lee
 
 // Height of the waves that come in at a place: the sea's, less where the shore stands in the wind's way. For vertices: it changes slowly.
-fn height_coming_in(point: MapPoint, sin_lat: f32) -> Metres {
+fn height_coming_in(point: MapPoint, sin_lat: f32, distance: Metres) -> Metres {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0025));
     let speed = max(length(frame.wind), 1e-3);
     let up_wind = -frame.wind / speed;
@@ -26,7 +26,10 @@ fn height_coming_in(point: MapPoint, sin_lat: f32) -> Metres {
         open *= smoothstep(0.0, 0.3 * reach, shore);
         reach += max(0.9 * shore, 0.0);
     }
-    let found = frame.wave_height * max(open * sqrt(saturate(reach / OPEN_FETCH)), LEAST_SURF);
+    // Far away it goes by and by: pictures whose shores are farther have none.
+    let farthest = SURF_SEEN + 2.0 * max(frame.eye_altitude, 0.0);
+    let seen = smoothstep(farthest, 0.6 * farthest, distance) * smoothstep(SURF_HIGHEST, 0.6 * SURF_HIGHEST, frame.eye_altitude);
+    let found = seen * frame.wave_height * max(open * sqrt(saturate(reach / OPEN_FETCH)), LEAST_SURF);
     // Towards the poles the map's north is not the wind's.
     return select(0.0, found, point.square == MERCATOR);
 }

@@ -33,7 +33,6 @@ fn sight_to_bed(direction: vec3f, normal: vec3f, up: vec3f, depth: Metres) -> ve
     return below * depth / max(-dot(below, up), 0.3);
 }
 
-const USUAL_DENSITY: f32 = 0.2;  // of `frame.water_density`, per metre: water as it is measured
 const BED_FADES: f32 = 0.9;      // alpha from which on the bed goes, before none of it is drawn
 
 // What a way through water of a kind leaves of light.
@@ -73,6 +72,7 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     var sky = sky_at_sea(mirrored, w.up);
+    // `air` is what covered clouds leave of it, see `shaded`.
     if CLOUDS { sky = clouded_sky(sky, clear, sqrt(1.0 - light.air), w.at, dot(mirrored, w.up), w.up); }
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);

@@ -16,7 +16,7 @@ fn surface_sides(direction: vec3f, normal: vec3f, at: vec3f, up: vec3f) -> Sides
     var seen = normalize(vec3f(out.xy, max(abs(out.z), 1e-3)));
     if !escapes { seen = up; }
     var sky = sky_at_sea(seen, up);
-    if CLOUDS { sky = clouded_sky(sky, daylight_at(dot(frame.light, up)), 0.5, at, dot(seen, up), up); }
+    if CLOUDS { sky = clouded_sky(sky, daylight_at(dot(frame.light, up)), cover_at_eye(), at, dot(seen, up), up); }
     return Sides(sky * (1.0 - mirrored), mirrored, out);
 }
 

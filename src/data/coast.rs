@@ -4,7 +4,7 @@
 //! polygons, clipped to the tile and [`BUFFER_TEXELS`] beyond it. Sides that the clipping made lie on that border, and those that a map cut
 //! along the antimeridian: neither are shores.
 //!
-//! Own code, since of protobuf it needs two hundred lines: the crates that read such tiles bring a protobuf library, whose memory for a
+//! Own code, since of protobuf it needs three hundred lines: the crates that read such tiles bring a protobuf library, whose memory for a
 //! hostile tile is not bounded by us, and geometry types besides.
 
 mod bends;
@@ -24,6 +24,8 @@ pub const TILE_TYPE: u8 = 1;
 pub const BUFFER_TEXELS: i32 = 10;
 /// The finest grid of coordinates that is accepted, per side of a tile.
 const MAX_EXTENT: u32 = 1 << 16;
+/// Points of a tile, at most: each costs work at every level that is made of it.
+const MAX_POINTS: usize = 1 << 18;
 /// What is wrong with a tile that needs no words of its own.
 const ENDS_EARLY: &str = "ends early";
 
@@ -84,7 +86,7 @@ impl Shores {
         read_tile(bytes).map_err(bad)
     }
 
-    /// The shores, those of `tile`, that lie between two points, neither of which an artificial side joins.
+    /// The sides of all rings of `tile`, and whether each is a shore: those that cut a ring off at the tile's edge are none.
     fn sides<'a>(&'a self, tile: TileId) -> impl Iterator<Item = (Level, [[i32; 2]; 2], bool)> + 'a {
         let buffer = BUFFER_TEXELS * self.extent / super::tile::TILE_TEXELS as i32;
         let across = 1u32 << tile.z;
@@ -114,6 +116,10 @@ fn read_tile(bytes: &[u8]) -> Read<Shores> {
             return Err(format!("has layers of {} and {extent} units", all.extent));
         }
         all.rings.extend(rings);
+        let points: usize = all.rings.iter().map(|ring| ring.points.len()).sum();
+        if points > MAX_POINTS {
+            return Err(format!("has {points} points; at most {MAX_POINTS} are read"));
+        }
     }
     Ok(shores.unwrap_or(Shores { extent: 4096, rings: Vec::new() }))
 }

@@ -35,6 +35,8 @@ pub const MAX_DEPTH: usize = 4;
 const MAX_STORED: u64 = 8 << 20;
 /// The largest directory or metadata accepted once inflated, bytes.
 const MAX_INFLATED: u64 = 64 << 20;
+/// Entries of all directories that are read at once, at most.
+const MAX_ENTRIES: usize = 1 << 22;
 /// The largest tile accepted, bytes.
 const MAX_TILE: u64 = 8 << 20;
 /// Leaf directories kept in memory.
@@ -185,6 +187,10 @@ impl<S: ByteSource> Archive<S> {
             for leaf in root {
                 let at = within(&what, header.leaves, leaf)?;
                 entries.extend(decode_directory(&what, &section((at, leaf.length.into()), "leaf directory").await?)?);
+                // Root entries may all name one leaf.
+                if entries.len() > MAX_ENTRIES {
+                    return Err(bad_archive(&what, format!("has more than {MAX_ENTRIES} tiles in its directories")));
+                }
             }
             root = entries;
         }

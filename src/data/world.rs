@@ -34,6 +34,8 @@ use std::sync::{Arc, mpsc};
 pub const ATTEMPTS: u32 = 3;
 /// Requests that may be on their way at once.
 pub const IN_FLIGHT: usize = 16;
+/// Tiles that are remembered as not there, at most.
+const MOST_ABSENT: usize = 1 << 16;
 /// Decoded tiles kept for readouts; 256 KiB each.
 pub const TILES_KEPT: usize = 512;
 /// Wait before the second attempt, seconds; four times as long before the third.
@@ -317,13 +319,13 @@ impl World {
         if let Some(texels) = self.cache.get(&key) {
             return Ok(Some(texels));
         }
-        let Some(archive) = self.slot(layer, id.projection).archive().filter(|_| !self.absent.contains(&key)).cloned()
-        else {
+        let is_known = |archive: &&Arc<Archive<Source>>| id.z <= deepest(archive) && !self.absent.contains(&key);
+        let Some(archive) = self.slot(layer, id.projection).archive().filter(is_known).cloned() else {
             return Ok(None);
         };
         let texels = match pollster::block_on(load(&archive, key))? {
             None => {
-                self.absent.insert(key);
+                self.note_absent(key);
                 return Ok(None);
             }
             Some(Decoded::Whole(texels)) => texels,
@@ -347,9 +349,17 @@ impl World {
         &self.slots[slot_index(layer, projection)]
     }
 
+    fn note_absent(&mut self, key: Key) {
+        // They are found again as quickly as they were.
+        if self.absent.len() >= MOST_ABSENT {
+            self.absent.clear();
+        }
+        self.absent.insert(key);
+    }
+
     fn answer(&mut self, key: Key, outcome: Outcome) {
         if let Outcome::Absent = outcome {
-            self.absent.insert(key);
+            self.note_absent(key);
         }
         if self.pending.remove(&key).is_some() {
             self.done += 1;

@@ -43,17 +43,18 @@ impl CloudLight {
     }
 
     /// Takes how many nodes across and down the next net has; `None`: it is not needed.
-    pub fn prepare(&mut self, size: Option<[u32; 2]>) {
-        let nodes = |[across, down]: [u32; 2]| {
+    /// What is mirrored is for fine pictures alone.
+    pub fn prepare(&mut self, size: Option<([u32; 2], bool)>) {
+        let nodes = |([across, down], fine): ([u32; 2], bool)| {
             let mirrored = [across, down].map(|side| (side - 2) / MIRROR_NODES + 2);
-            [across * down + 1, mirrored[0] * mirrored[1]]
+            [across * down + 1, if fine { mirrored[0] * mirrored[1] } else { 0 }]
         };
         self.nodes = size.map_or([0; 2], nodes);
     }
 
     /// Dispatches of the frame.
     pub fn dispatches(&self) -> usize {
-        if self.nodes[0] > 0 { 2 } else { 0 }
+        self.nodes.iter().filter(|nodes| **nodes > 0).count()
     }
 
     /// Makes the net.
@@ -64,7 +65,7 @@ impl CloudLight {
         for (index, group) in (0..).zip([frame, surface, &self.group]) {
             pass.set_bind_group(index, group, &[]);
         }
-        for (pipeline, nodes) in self.pipelines.iter().zip(self.nodes) {
+        for (pipeline, nodes) in self.pipelines.iter().zip(self.nodes).filter(|(_, nodes)| *nodes > 0) {
             pass.set_pipeline(pipeline);
             pass.dispatch_workgroups(nodes.div_ceil(THREADS), 1, 1);
         }

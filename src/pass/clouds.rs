@@ -6,15 +6,12 @@ use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Of smaller pictures: pixels of the whole one along one of theirs.
-const SCALES: [u32; 2] = [2, 4];
-
 /// How they are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
     /// From space.
     pub globe: bool,
-    /// Pixels of the picture along one that is drawn: 1, 2 or 4.
+    /// Pixels of the picture along one that is drawn: 1, which none but pictures from space have, 2 or 4.
     pub scale: u32,
     /// Each place in a cloud looks towards the sun.
     pub fine: bool,
@@ -22,13 +19,23 @@ pub struct Look {
 
 impl Look {
     /// Every one that a frame asks for.
-    pub fn all() -> [Self; 5] {
-        let of = |globe, scale, fine| Self { globe, scale, fine };
-        [of(false, 1, true), of(true, 1, true), of(false, 2, true), of(false, 4, false), of(true, 4, false)]
+    pub fn all() -> [Self; 4] {
+        [[true, true], [true, false], [false, true], [false, false]].map(|[globe, fine]| Self::of(globe, fine))
+    }
+
+    /// Clouds have few sharp lines, and each of their pixels costs as much as many of the sea's: their picture is smaller than the whole. From
+    /// space it is as fine as what lies below, unless it is a coarse one.
+    pub fn of(globe: bool, fine: bool) -> Self {
+        let scale = match (globe, fine) {
+            (true, true) => 1,
+            (false, true) => 2,
+            (_, false) => 4,
+        };
+        Self { globe, scale, fine }
     }
 
     fn index(self) -> usize {
-        Self::all().iter().position(|look| *look == self).unwrap_or(0)
+        2 * usize::from(!self.globe) + usize::from(!self.fine)
     }
 }
 
@@ -40,8 +47,9 @@ pub fn source(Look { globe, scale, fine }: Look) -> String {
 }
 
 /// The composed shader that lays a smaller picture over the whole one.
-pub fn veil_source(scale: u32) -> String {
-    shader::composed(include_str!("../../shaders/cloud_veil.wgsl"), &format!("const SCALE: f32 = {scale}.0;\n"))
+pub fn veil_source(Look { globe, scale, .. }: Look) -> String {
+    let definitions = format!("const GLOBE: bool = {globe};\nconst SCALE: f32 = {scale}.0;\n");
+    shader::composed(include_str!("../../shaders/cloud_veil.wgsl"), &definitions)
 }
 
 /// The smaller picture.
@@ -54,12 +62,11 @@ struct Small {
 
 /// The pass.
 pub struct Clouds {
-    depth_layout: wgpu::BindGroupLayout,
     veil_layout: wgpu::BindGroupLayout,
-    drawings: [Drawing; 5],
-    veils: [Drawing; 2],
-    /// What may stand before clouds, and the group of it.
-    depth: Option<(wgpu::TextureView, wgpu::BindGroup)>,
+    drawings: [Drawing; 4],
+    veils: [Drawing; 4],
+    /// What may stand before clouds.
+    depth: Option<wgpu::TextureView>,
     small: Option<Small>,
     look: Look,
 }
@@ -73,7 +80,6 @@ impl Clouds {
         format: wgpu::TextureFormat,
     ) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
-        let depth_layout = gpu.layout("clouds", fragment, &[Bind::Depth]);
         let veil_binds = [Bind::Depth, Bind::Texture(wgpu::TextureViewDimension::D2)];
         let veil_layout = gpu.layout("cloud veil", fragment, &veil_binds);
         let blending = wgpu::ColorTargetState {
@@ -82,21 +88,20 @@ impl Clouds {
             write_mask: wgpu::ColorWrites::COLOR,
         };
         let drawings = Look::all().map(|look| {
-            let groups = [frame, surface, &depth_layout];
+            let groups = [frame, surface];
             let target = if look.scale > 1 { FORMAT.into() } else { blending.clone() };
             gpu.drawing("clouds", (&source(look), "vertex"), &groups, &[], target, None)
         });
-        let veils = SCALES.map(|scale| {
+        let veils = Look::all().map(|look| {
             let groups = [frame, &veil_layout];
-            gpu.drawing("cloud veil", (&veil_source(scale), "vertex"), &groups, &[], blending.clone(), None)
+            gpu.drawing("cloud veil", (&veil_source(look), "vertex"), &groups, &[], blending.clone(), None)
         });
-        Self { depth_layout, veil_layout, drawings, veils, depth: None, small: None, look: Look::all()[0] }
+        Self { veil_layout, drawings, veils, depth: None, small: None, look: Look::of(true, true) }
     }
 
     /// Takes the depth of what may stand before clouds.
-    pub fn set_scene(&mut self, gpu: &Gpu, depth: &wgpu::TextureView) {
-        let group = gpu.bind("clouds", &self.depth_layout, &[wgpu::BindingResource::TextureView(depth)]);
-        (self.depth, self.small) = (Some((depth.clone(), group)), None);
+    pub fn set_scene(&mut self, depth: &wgpu::TextureView) {
+        (self.depth, self.small) = (Some(depth.clone()), None);
     }
 
     /// Takes how clouds are drawn, and draws the smaller picture, where there is one, of the part (left, top, width, height) of a picture of
@@ -109,7 +114,7 @@ impl Clouds {
         groups: [&wgpu::BindGroup; 2],
     ) {
         self.look = look;
-        let Some((depth, depth_group)) = self.depth.as_ref().filter(|_| look.scale > 1) else { return };
+        let Some(depth) = self.depth.as_ref().filter(|_| look.scale > 1) else { return };
         let scale = look.scale;
         if self.small.as_ref().is_none_or(|small| (small.size, small.scale) != (size, scale)) {
             let shape = Shape::picture(size[0].div_ceil(scale), size[1].div_ceil(scale));
@@ -127,21 +132,17 @@ impl Clouds {
         let mut pass = begin(encoder, "clouds", &small.view, wgpu::Color::TRANSPARENT, None);
         pass.set_pipeline(&self.drawings[look.index()]);
         let part = [first[0], first[1], last[0] - first[0], last[1] - first[1]];
-        draw_part(&mut pass, part, &[groups[0], groups[1], depth_group]);
+        draw_part(&mut pass, part, &groups);
     }
 
     /// Draws them over the part of a picture that they may be in (left, top, width, height). `groups`: bind groups 0 and 1.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, area: [u32; 4], [frame, surface]: [&wgpu::BindGroup; 2]) {
-        match (&self.small, &self.depth) {
-            (Some(small), _) if self.look.scale > 1 => {
-                pass.set_pipeline(&self.veils[usize::from(small.scale == SCALES[1])]);
-                draw_part(pass, area, &[frame, &small.read]);
-            }
-            (_, Some((_, depth))) => {
-                pass.set_pipeline(&self.drawings[self.look.index()]);
-                draw_part(pass, area, &[frame, surface, depth]);
-            }
-            _ => {}
+        if self.look.scale == 1 {
+            pass.set_pipeline(&self.drawings[self.look.index()]);
+            draw_part(pass, area, &[frame, surface]);
+        } else if let Some(small) = &self.small {
+            pass.set_pipeline(&self.veils[self.look.index()]);
+            draw_part(pass, area, &[frame, &small.read]);
         }
     }
 }

@@ -38,8 +38,8 @@ impl Look {
     }
 
     /// That of a frame of some kind, with shores nearby or without.
-    pub fn of(frame: &Frame, kind: Kind, near_shore: bool) -> Self {
-        let surf = near_shore && kind.shows_surf();
+    pub fn of(frame: &Frame, kind: Kind, shows_surf: bool) -> Self {
+        let surf = shows_surf && kind.shows_surf();
         Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf }
     }
 }

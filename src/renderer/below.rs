@@ -20,23 +20,18 @@ pub(super) struct Side {
     /// Whether the water may cut through the picture: then both are drawn.
     pub(super) is_cut: bool,
     /// Whether shores are so near that their surf shows.
-    pub(super) near_shore: bool,
+    pub(super) shows_surf: bool,
 }
-
-/// Surf that is farther away than this, metres, and twice the eye's height, is a line; from so high up it is nearly none.
-const SURF_SEEN_M: f64 = 10_000.0;
-const SURF_HIGHEST_M: f64 = 20_000.0;
 
 impl Side {
     /// That of a frame over the ocean, or over land.
     pub(super) fn of(frame: &Frame, place: Option<&Sample>, blends: bool) -> Self {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
-        let altitude_m = frame.camera.altitude_m;
-        let near_shore = altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m.max(0.0);
+        let shows_surf = frame.shows_surf(shore_m);
         let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m));
         let is_cut = blends && frame.has_light() && over_m.abs() < CUT_M;
-        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, near_shore }
+        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf }
     }
 
     /// The kind of the picture from below, if there is one.

@@ -198,6 +198,9 @@ pub struct Settings {
     pub water_density_per_m: f64,
 }
 
+/// Of water as it is measured.
+pub const USUAL_WATER_DENSITY_PER_M: f64 = 0.2;
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -216,7 +219,7 @@ impl Default for Settings {
             haze: 0.08,
             clouds: 0.45,
             water: Water::Auto,
-            water_density_per_m: 0.2,
+            water_density_per_m: USUAL_WATER_DENSITY_PER_M,
         }
     }
 }

@@ -55,7 +55,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     for look in clouds::Look::all() {
         all.push(("clouds.wgsl", clouds::source(look)));
     }
-    all.extend([2, 4].map(|scale| ("cloud_veil.wgsl", clouds::veil_source(scale))));
+    all.extend(clouds::Look::all().map(|look| ("cloud_veil.wgsl", clouds::veil_source(look))));
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));

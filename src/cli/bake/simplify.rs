@@ -1,7 +1,7 @@
 //! Fewer points for a closed line (D. Douglas and T. Peucker 1973, doi:10.3138/FM57-6770-U75U-7727).
 
 /// The points to keep: none that is left out lies farther from the line drawn than `tolerance` says for it. `fixed` ones are kept. Lines of
-/// fewer than four points stay; others keep four at least.
+/// up to four points stay; others keep four at least.
 pub fn simplified(
     points: &[[i32; 2]],
     tolerance: impl Fn([i32; 2]) -> f64,

@@ -55,7 +55,7 @@ fn net(quality: Quality, size: [u32; 2]) -> [u32; 2] {
 
 /// Heights between which an eye leaves the clouds' shadow, metres.
 const ABOVE_THEM_M: [f64; 2] = [900.0, 3_000.0];
-/// Part of daylight that clouds all over the sky take, as `clouded_daylight` of `shaders/lib/clouds.wgsl` has it.
+/// Part of daylight that clouds all over the sky take, as `shaded` of `shaders/lib/cloud_light.wgsl` has it.
 const TAKEN: f64 = 0.6;
 /// Share of what they take that a picture is exposed for, in stops: a grey day looks like one.
 const EXPOSED_FOR: f64 = 0.67;
@@ -80,11 +80,12 @@ pub fn set_clouds(
     if shown && camera.altitude_m < ABOVE_THEM_M[1] {
         let towards = u.cloud_eye.as_dvec3().normalize();
         let share = overcast::share(towards, &weather, settings.clouds);
-        u.exposure *= overcast_exposure(share, camera.altitude_m) as f32;
+        let [from, to] = ABOVE_THEM_M;
+        let below = 1.0 - ((camera.altitude_m - from) / (to - from)).clamp(0.0, 1.0);
         // No sun burns where clouds hide it.
         let sun = u.sun.as_dvec3();
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
-        u.exposure *= libm::pow(into, -share * share) as f32;
+        u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;
@@ -92,10 +93,8 @@ pub fn set_clouds(
 }
 
 /// How much longer a picture is exposed below clouds that cover a share of the sky: for two thirds of the light that they take, in stops.
-fn overcast_exposure(share: f64, altitude_m: f64) -> f64 {
-    let [from, to] = ABOVE_THEM_M;
-    let below = 1.0 - ((altitude_m - from) / (to - from)).clamp(0.0, 1.0);
-    libm::pow(1.0 - TAKEN * share * share, -EXPOSED_FOR * below)
+fn overcast_exposure(share: f64) -> f64 {
+    libm::pow(1.0 - TAKEN * share * share, -EXPOSED_FOR)
 }
 
 /// The pixels that clouds may be seen in. Below their base that is the sky; above their top, what is nearer to the nadir than their own

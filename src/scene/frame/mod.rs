@@ -44,6 +44,8 @@ pub struct Frame {
     pub foam_eye: FoamEye,
     /// The sea's whitecaps.
     pub whitecaps: Whitecaps,
+    /// Whether foam shows at all.
+    pub shows_foam: bool,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
     /// Height of the water at the eye's place over the ellipsoid, metres, where it is deep and the eye among the waves; elsewhere 0.
@@ -76,6 +78,10 @@ pub const LENS_M: f64 = 0.2;
 /// An eye that is nearer to the surface than this, metres, sees it cut through the picture: it reaches as far as the lens in the corners of a
 /// wide picture, and the waves rise as much from there.
 pub const CUT_M: f64 = 0.3;
+/// Surf that is farther away than this, metres, and twice the eye's height, does not show.
+pub const SURF_SEEN_M: f64 = 10_000.0;
+/// From so high up none does, metres.
+pub const SURF_HIGHEST_M: f64 = 20_000.0;
 /// Farther than anything, metres.
 const NEVER_M: f32 = 1e30;
 
@@ -132,6 +138,7 @@ impl Frame {
             sea,
             foam_eye,
             whitecaps,
+            shows_foam: wanted.amount > 0.0,
             foam_lifetime_s,
             surface_m,
             shows_stars: light::stars_show(&uniform, settings),
@@ -147,16 +154,6 @@ impl Frame {
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
     pub fn is_fine(&self) -> bool {
         self.quality != Quality::Low
-    }
-
-    /// Pixels of the picture along one of those that clouds are drawn in: they have few sharp lines, and each costs as much as many of the
-    /// sea's. From space they are as fine as what lies below them.
-    pub fn cloud_scale(&self, globe: bool) -> u32 {
-        match self.quality {
-            Quality::Low => 4,
-            _ if globe => 1,
-            _ => 2,
-        }
     }
 
     /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
@@ -219,6 +216,13 @@ impl Frame {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
         let pixel_m = self.camera.altitude_m * f64::from(self.uniform.pixel_angle);
         self.uniform.layers & all == all && pixel_m > RELIEF_M && self.camera.altitude_m > LOWEST_GLOBE_M
+    }
+
+    /// Whether surf may show, with the nearest shore so far from the eye's foot, metres: none does that is farther away than
+    /// [`SURF_SEEN_M`] and twice the eye's height, nor from [`SURF_HIGHEST_M`] on, where shaders let it go.
+    pub fn shows_surf(&self, shore_m: f64) -> bool {
+        let altitude_m = self.camera.altitude_m.max(0.0);
+        self.shows_foam && altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m
     }
 
     /// A distance that no water is nearer than, metres.

@@ -101,7 +101,9 @@ fn bed_origin(lat: f64, lon: f64) -> DVec2 {
         let from_pole = 2.0 * WGS84.a * cos / (1.0 + libm::fabs(sin));
         from_pole * DVec2::new(libm::cos(lon), libm::sin(lon))
     } else {
-        WGS84.a * DVec2::new(lon, libm::atanh(sin))
+        // A turn has a whole number of squares.
+        let squares = (std::f64::consts::TAU * WGS84.a / BED_SIDE_M).round();
+        squares * BED_SIDE_M / std::f64::consts::TAU * DVec2::new(lon, libm::atanh(sin))
     };
     DVec2::new(on_map.x.rem_euclid(BED_SIDE_M), on_map.y.rem_euclid(BED_SIDE_M))
 }

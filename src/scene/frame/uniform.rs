@@ -36,6 +36,9 @@ pub fn shared_constants() -> String {
         ("FOAM_HIGHEST", foam::HIGHEST_M),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),
+        ("SURF_SEEN", super::SURF_SEEN_M),
+        ("SURF_HIGHEST", super::SURF_HIGHEST_M),
+        ("USUAL_DENSITY", crate::scene::settings::USUAL_WATER_DENSITY_PER_M),
     ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec4, Vec2, Vec4};
 
 use crate::model::sea_tables::SeaTables;
-use crate::model::{sea_state, spray, wave_domain};
+use crate::model::{self, sea_state, spray, wave_domain};
 use crate::scene::frame::uniform::{FoamLevel, FrameUniform, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
 use crate::scene::layers::Layer;
@@ -13,10 +13,6 @@ use crate::scene::view::camera::Camera;
 
 /// Height of a wave over the depth that it breaks in: between those of spilling and of plunging breakers.
 const SURF_BREAKS: f64 = 0.6;
-/// As much as no wave has.
-const NEVER_BREAKS: f64 = 1e3;
-/// In so many seconds whitewater fades to 1/e (E. Monahan 1971).
-const SURF_LASTS_S: f64 = 3.85;
 
 /// Wind, waves and their statistics, spray, and which layers show.
 pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_seconds: f64) {
@@ -26,12 +22,10 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_
     u.water_kinds = settings.water.kinds().map(|kind| kind as f32);
     u.water_density = settings.water_density_per_m as f32;
     u.wave_height = sea.sea.hs_m as f32;
-    // Seas of the wind have a steepness of about 0.04.
+    // Seas of the wind have a steepness of about 0.04; the shortest waves that are seen to break take two seconds.
     let period_s = (4.0 * libm::sqrt(sea.sea.hs_m)).max(2.0);
     let come = (unix_seconds / period_s).rem_euclid(4096.0);
-    // Without foam no wave is high enough to break.
-    let breaks = if settings.shown_foam().amount > 0.0 { SURF_BREAKS } else { NEVER_BREAKS };
-    u.surf = DVec4::new(period_s, come, breaks, SURF_LASTS_S).as_vec4();
+    u.surf = DVec4::new(period_s, come, SURF_BREAKS, model::foam::LIFETIME_S).as_vec4();
     let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
     let height = spray::scale_height_m(sea.sea.hs_m);
     u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();
