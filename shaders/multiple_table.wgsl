@@ -34,7 +34,7 @@ fn arriving(h: Metres, mu: f32, azimuth: f32, mu_sun: f32) -> Arriving {
         let air = medium_at(height);
         let passed = exp(air.extinction * (t - next));
         let far = through * seen_length(air.extinction, passed);
-        found.light += (air.rayleigh * rayleigh_phase(cosine) + air.mie * mie_phase(cosine)) * far * sunlight(height, mu_here);
+        found.light += (air.rayleigh * rayleigh_phase(cosine) + air.mie / (4.0 * PI)) * far * sunlight(height, mu_here);
         found.share += (air.rayleigh + air.mie) * far;
         through *= passed;
         t = next;
@@ -46,8 +46,8 @@ fn arriving(h: Metres, mu: f32, azimuth: f32, mu_sun: f32) -> Arriving {
     return found;
 }
 
-// Radiance that comes from all around after two scatterings and more, per unit of solar irradiance. The first is by each phase function, or
-// twilight would end too early; after it light is taken as the same from everywhere: every further scattering passes on the same share.
+// Radiance that comes from all around after two scatterings and more, per unit of solar irradiance. Molecules scatter the first by their phase, or
+// twilight would end too early; otherwise light is taken as the same from everywhere: every further scattering passes on the same share.
 @compute @workgroup_size(8, 8)
 fn multiples(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(multiple_table);

@@ -1,4 +1,4 @@
-// The air: what it is made of, and the coordinates of the table of its transmittance. Coefficients: E. Bruneton and F. Neyret 2008,
+// The air: what it is made of, and the coordinates of the table of its transmittance. Coefficients of molecules: E. Bruneton and F. Neyret 2008,
 // S. Hillaire 2020; the aerosol is that of the open sea: its optical depth falls with the wavelength to the power of 0.6 (A. Smirnov
 // et al. 2009, "Maritime Aerosol Network"), and it scatters nearly all that it takes out of a beam.
 #import ellipsoid
@@ -6,7 +6,9 @@
 const RAYLEIGH = vec3f(5.802e-6, 13.558e-6, 33.1e-6);    // per metre at sea level
 const MIE_COLOUR = vec3f(0.880, 1.0, 1.143);             // (wavelength / 550 nm)^-0.6 at 680, 550 and 440 nm
 const MIE_ALBEDO = 0.98;
-const OZONE = vec3f(0.65e-6, 1.881e-6, 0.085e-6);
+// What 300 Dobson units take of the sun's red, green and blue, not of 680, 550 and 440 nm as is often written: the Chappuis band is strongest at
+// 600 nm, at which reds are seen, and with them limb and dusk are blue instead of purple. Spectra of the cross section at 233 K (V. Gorshelev et al. 2014).
+const OZONE = vec3f(2.65e-6, 1.67e-6, 0.0);
 const OZONE_THICKNESS: Metres = 15000.0;
 const OZONE_HEIGHT: Metres = 25000.0;
 const RAYLEIGH_HEIGHT: Metres = 8000.0;                  // scale heights

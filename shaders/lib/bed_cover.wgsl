@@ -60,6 +60,7 @@ fn bed_cover(place: vec2f, depth: Metres, fine: vec3f) -> BedCover {
 const BED_NOISE_DEVIATION = 0.2;         // of `bed_noise`
 const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows are many here and few there
 const APART_FROM: Metres = 12.0;
+const SPARSE = 0.09;                 // how wide the edges are between which meadows thin out, seen from above; of the noise
 
 // Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them.
 fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -> vec3f {
@@ -74,7 +75,7 @@ fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -
     let meadow = seen.x * bed_noise(place, 256.0, 41u).z + 0.55 * seen.z * bed_noise(place, 64.0, 42u).z + dot(fine, vec3f(0.30, 0.22, 0.12));
     let reef = seen.y * bed_noise(place, 128.0, 43u).z + 0.6 * seen.w * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20));
     let hidden = vec4f(1.0, 1.0, 0.55, 0.6) * (1.0 - seen);
-    let cover = cover_of(meadow + regional.x + regional.y, reef - regional.x, 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
+    let cover = cover_of(meadow + regional.x + regional.y, reef - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
     let tone = 1.0 + 0.22 * fine.x + 0.3 * seen.z * bed_noise(place, 64.0, 45u).z;
     return mix(mix(sand * tone, SEAGRASS, cover.grass), REEF, cover.rock);
 }

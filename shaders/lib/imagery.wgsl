@@ -77,13 +77,19 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
     return detail;
 }
 
-// Albedo with detail, of the same mean: soil among plants, bare ground among snow.
-fn detailed_albedo(albedo: vec3f, detail: Detail) -> vec3f {
-    let green = saturate(3.0 * (albedo.g - 0.5 * (albedo.r + albedo.b)) / albedo.g);
+// How far the ground is green.
+fn greenness(albedo: vec3f) -> f32 { return saturate(3.0 * (albedo.g - 0.5 * (albedo.r + albedo.b)) / albedo.g); }
+
+const CANOPY = 0.75;               // how much brighter than the mean a crown's top is, a cap's height
+const SHRUB = vec3f(-0.95, -0.82, -0.78);
+
+// Albedo with detail, of the same mean: soil among plants, bare ground among snow, and what stands on it.
+fn detailed_albedo(albedo: vec3f, green: f32, detail: Detail, standing: f32) -> vec3f {
     let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
     let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.90, 1.0), green) * (1.0 - 0.85 * whiteness);
     // Odd in the tone, so that the mean stays none.
     let tone = detail.tone / sqrt(1.0 + 0.8 * detail.tone * detail.tone);
     let patches = 2.2 * whiteness * (1.0 - whiteness) * tone;
-    return max(albedo * (1.0 + tones * tone) + patches, vec3f(0.01));
+    let stands = standing * (1.0 - whiteness) * mix(SHRUB, vec3f(CANOPY), green);
+    return max(albedo * (1.0 + tones * tone + stands) + patches, vec3f(0.01));
 }

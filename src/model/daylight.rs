@@ -13,7 +13,7 @@ const HALVED_BY: f64 = 0.02;
 
 /// What makes level ground grey in the light of sun and sky, the sun at 45 degrees: factors of red, green and blue that leave its luminance.
 /// Cameras set to daylight do the same.
-pub const BALANCE: [f64; 3] = [0.926, 1.0105, 1.106];
+pub const BALANCE: [f64; 3] = [0.963, 1.0013, 1.0972];
 
 /// Relative optical air mass by the sine of the sun's elevation, at least 0
 /// ([Kasten and Young](crate::bibliography::KastenYoung1989)).

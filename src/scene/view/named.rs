@@ -89,7 +89,7 @@ pub const VIEWS: [View; 14] = [
         id: "sunset",
         widget: "viewSunset",
         title: "sunset",
-        fragment: "view=-12,-30,4,292,89&bft=4&clouds=0.35&time=2026-06-11T19:15:00Z",
+        fragment: "view=-12,-30,4,292,89&bft=4&clouds=0.35&time=2026-06-11T19:24:00Z",
     },
     View {
         id: "moonlit",
