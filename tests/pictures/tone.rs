@@ -27,7 +27,9 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
     let toned = times(INSET, balanced)
         .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
-    times(OUTSET, toned).map(|part| part.clamp(0.0, 1.0))
+    let toned = times(OUTSET, toned);
+    let grey = luminance(toned);
+    toned.map(|part| (grey + 0.88 * (part - grey)).clamp(0.0, 1.0))
 }
 
 #[test]
