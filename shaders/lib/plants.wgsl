@@ -6,7 +6,7 @@
 struct Caps { height: f32, rise: vec2f }
 
 const CAP_ASIDE: f32 = 0.28;       // how far a cap stands off the middle of its cell at most, of a cell
-const CAP_LEAST: f32 = 0.75;       // least of a cap's radius, of the greatest
+const CAP_LEAST: f32 = 0.45;       // least of a cap's radius, of the greatest
 
 // Caps of a share of a level's cells, `radius` of a cell wide. Those of four cells reach a place.
 fn caps(at: vec2u, level: u32, share: f32, radius: f32) -> Caps {
@@ -34,19 +34,21 @@ fn caps(at: vec2u, level: u32, share: f32, radius: f32) -> Caps {
 
 const TREES = 22u;                 // level whose cells they have: 9.5 m at the equator
 const SHRUBS = 24u;
+const GROVES = 20u;                // of the noise of what grows together
 const RAGGED = 24u;                // of the noise that bends their outlines
 
 // Caps on ground that is so `green`, and has so much more on it than the ground around (`fertile`, about 0).
 fn plants(at: vec2u, green: f32, fertile: f32, footprint: Metres) -> Caps {
-    let share = clamp(mix(0.16, 0.85, green) + mix(0.30, 0.12, green) * fertile, 0.02, 0.98);
-    let radius = mix(0.22, 0.66, green);
+    let share = clamp(mix(0.16, 0.85, green) + mix(0.30, 0.35, green) * fertile, 0.02, 0.98);
+    let radius = mix(0.26, 0.68, green) * (1.0 + 0.25 * clamp(fertile, -1.0, 0.0));
     let seen = 1.0 - smoothstep(vec2f(0.25), vec2f(0.7), footprint * exp2(vec2f(f32(TREES), f32(SHRUBS))) / EARTH_TURN);
     // No outline is round.
     let bend = map_noise_rise(at, RAGGED, RAGGED).yz;
     let bent = at + bitcast<vec2u>(vec2i(0.4 * bend * exp2(32.0 - f32(RAGGED))));
     let trees = caps(bent, TREES, share, radius);
     let shrubs = caps(bent, SHRUBS, share, radius);
-    // Small ones fill what stands between trees.
-    let small = seen.y * mix(0.6, 0.3, green);
-    return Caps(seen.x * trees.height + small * shrubs.height, seen.x * trees.rise + small * shrubs.rise);
+    // Small ones fill what stands between trees; groves of one kind are brighter than others.
+    let small = seen.y * mix(0.6, 0.35, green);
+    let kind = 1.0 + 1.2 * (map_noise(at, GROVES, GROVES) - 0.5);
+    return Caps(kind * seen.x * trees.height + small * shrubs.height, seen.x * trees.rise + small * shrubs.rise);
 }
