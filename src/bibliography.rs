@@ -158,6 +158,10 @@ pub enum Allen1973 {}
 /// swells. <https://doi.org/10.1142/7425>
 pub enum Goda2010 {}
 
+/// Young, I. R. and Verhagen, L. A. (1996), *The growth of fetch limited waves in water of finite depth, part 1: total energy and peak
+/// frequency*, Coastal Engineering 29, 47–78. <https://doi.org/10.1016/S0378-3839(96)00006-3>
+pub enum YoungVerhagen1996 {}
+
 /// McCowan, J. (1894), *On the highest wave of permanent type*, Philosophical Magazine 38, 351–358: the highest solitary wave, 0.78 of
 /// the depth. <https://doi.org/10.1080/14786449408620643>
 pub enum McCowan1894 {}

@@ -33,6 +33,7 @@ pub mod sea_bed;
 pub mod sea_spectrum;
 pub mod sea_state;
 pub mod sea_tables;
+pub mod sheltered_sea;
 pub mod spectrum;
 pub mod spray;
 pub mod spreading;

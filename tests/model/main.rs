@@ -18,6 +18,7 @@ mod same_sea;
 mod sea_bed;
 mod sea_state;
 mod seas;
+mod sheltered_sea;
 mod spectra_oracles;
 mod spectrum;
 mod spray;

@@ -1,0 +1,105 @@
+//! The lee of land: its numbers against published formulas and against a wall's diffraction.
+
+use std::f64::consts::TAU;
+
+use ocean_globe::model::sea::{Sea, SpectrumKind, Swell};
+use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::model::sheltered_sea::{
+    DIRECTIONS, Exposure, LocalSea, RINGS, SPREADS, bearing, rings, weights, young_verhagen,
+};
+use ocean_globe::model::spectrum::DirectionalSpectrum;
+
+#[test]
+fn a_fetch_limited_sea_has_the_height_and_the_period_of_young_and_verhagen() {
+    // (U, F, h) -> Hs, Tp, evaluated apart from this program.
+    for (u, fetch_m, depth_m, hs_m, tp_s) in
+        [(10.0, 5e3, 5.0, 0.3379, 2.466), (15.0, 20e3, 10.0, 0.9636, 4.236), (10.0, 50e3, 2.0, 0.4535, 2.769)]
+    {
+        let (height, period) = young_verhagen(u, fetch_m, depth_m);
+        println!("{u} m/s, {fetch_m} m, {depth_m} m: {height:.4} m, {period:.4} s");
+        // The values are given to four digits.
+        assert!((height / hs_m - 1.0).abs() < 3e-4 && (period / tp_s - 1.0).abs() < 3e-4, "{height} {period}");
+    }
+    let (deep, _) = young_verhagen(10.0, 20e3, f64::INFINITY);
+    assert!((deep / young_verhagen(10.0, 20e3, 1e4).0 - 1.0).abs() < 1e-9, "{deep}");
+    assert_eq!(young_verhagen(0.0, 1e3, 10.0), (0.0, 0.0));
+}
+
+/// Exposure of a place behind a thin wall that reaches from its tip at (0, 0) to the west, to waves from the north: `place` is in metres.
+fn behind_wall([x, y]: [f64; 2], direction: usize) -> Exposure {
+    let (sin, cos) = libm::sincos(bearing(direction));
+    // How far along the ray the tip is, and how far to the east of the tip the ray passes.
+    let (along, east) = (-x * sin - y * cos, x * cos - y * sin);
+    if along <= 0.0 {
+        return Exposure::OPEN;
+    }
+    let crosses = cos > 0.0 && east < 0.0;
+    let clearance = if crosses { -east.abs() } else { east.abs() } / along.sqrt();
+    Exposure { fetch_m: along, clearance }
+}
+
+#[test]
+fn waves_behind_a_wall_are_as_high_as_diffraction_theory_has_them() {
+    // Ten lengths behind the tip, at angles from the edge of the shadow, positive in it: Sommerfeld's solution, its energy summed over
+    // the directions of a wind sea.
+    let length_m: f64 = 60.0;
+    let shares = weights(0.0, SPREADS[0]);
+    for (angle_deg, expected) in [(-40.0f64, 0.97), (-20.0, 0.88), (0.0, 0.70), (20.0, 0.46), (40.0, 0.25)] {
+        let (sin, cos) = angle_deg.to_radians().sin_cos();
+        let place = [-10.0 * length_m * sin, -10.0 * length_m * cos];
+        let energy: f64 = (0..DIRECTIONS).map(|i| shares[i] * behind_wall(place, i).passed(length_m)).sum();
+        println!("{angle_deg} deg: {:.3}, expected {expected}", energy.sqrt());
+        // V is within 0.04 of the solution.
+        assert!((energy.sqrt() - expected).abs() < 0.045, "{angle_deg}: {}", energy.sqrt());
+    }
+}
+
+/// Energy that a sea with these gains has, over the open sea's, by the rings that have gains.
+fn energy(tables: &SeaTables, gains: [f64; RINGS]) -> f64 {
+    let spectrum = tables.sea.spectrum();
+    let open = rings(&tables.cascades, |k| spectrum.omnidirectional(k));
+    (0..RINGS).map(|ring| gains[ring] * gains[ring] * open[ring]).sum::<f64>()
+}
+
+#[test]
+fn gains_of_the_rings_add_up_to_the_energy_of_the_rule() {
+    let tables = SeaTables::new(Sea::from_wind(10.0, 1, 1.0), 256);
+    let local = LocalSea::new(&tables, 0.0, f64::INFINITY);
+    assert_eq!(local.gains(&[Some(Exposure::OPEN); DIRECTIONS]).map(|gain| (1e6 * gain).round()), [1e6; RINGS]);
+    let mut heights = Vec::new();
+    for fetch_m in [1e3, 5e3, 20e3, 80e3] {
+        let blocked = Exposure { fetch_m, clearance: -1e3 };
+        let gains = local.gains(&[Some(blocked); DIRECTIONS]);
+        let (hs_m, _) = young_verhagen(10.0, fetch_m, f64::INFINITY);
+        let height = 4.0 * energy(&tables, gains).sqrt();
+        println!("{fetch_m} m: {gains:.3?}, {height:.3} m, Young and Verhagen {hs_m:.3} m");
+        // The table between fetches a fifth apart, waves shorter than the rings', and short waves' slopes, which are not JONSWAP's.
+        assert!((height / hs_m - 1.0).abs() < 0.06, "{fetch_m}: {height} {hs_m}");
+        heights.push(height);
+    }
+    assert!(heights.is_sorted() && heights[3] < tables.sea.hs_m);
+    // Half of the directions open, by symmetry half of the energy, but for what the wind raises anew.
+    let half = |i: usize| if i <= DIRECTIONS / 2 { Exposure::OPEN } else { Exposure { fetch_m: 10.0, clearance: -1e3 } };
+    let share = energy(&tables, local.gains(&std::array::from_fn(|i| Some(half(i))))) * 16.0 / tables.sea.hs_m.powi(2);
+    // The direction that the wind comes from is one of the open ones, and holds a fifth or less.
+    assert!((0.5..0.62).contains(&share), "{share}");
+}
+
+#[test]
+fn a_swell_has_a_lee_of_its_own() {
+    let swell = Swell { height_m: 2.0, period_s: 14.0, toward: -TAU / 4.0 };
+    let sea = Sea::new(6.0, SpectrumKind::Jonswap, None, Some(swell), 1, 1.0);
+    let tables = SeaTables::new(sea, 256);
+    // Wind from the north; the swell travels to the right of downwind, so to the west: it comes from the east.
+    let local = LocalSea::new(&tables, 0.0, f64::INFINITY);
+    let blocked_from = |from: f64| {
+        let exposure = |i: usize| {
+            let is_hidden = (bearing(i) - from).cos() > 0.3;
+            if is_hidden { Exposure { fetch_m: 1e3, clearance: -1e3 } } else { Exposure::OPEN }
+        };
+        local.gains(&std::array::from_fn(|i| Some(exposure(i))))[0]
+    };
+    let (north, east) = (blocked_from(0.0), blocked_from(TAU / 4.0));
+    println!("longest waves: {north:.3} with land to the north, {east:.3} with land to the east");
+    assert!(north > 0.9 && east < 0.3, "{north} {east}");
+}
