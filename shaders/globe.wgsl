@@ -1,6 +1,7 @@
 // The earth from space, where no summit stands as high as a pixel is wide and no wave shows: ground and sea in one disc, whose pixels' own
 // rays meet the ellipsoid. It shows what land.wgsl and ocean.wgsl would. `MEASURED` is of src/pass/kind.rs.
 #import ground
+#import held
 #import lace
 #import limb
 #import output
@@ -70,12 +71,13 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var water = lake_water(rest, direction, up);
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
-        let calmed = clamp(depth * HELD_BY_DEPTH / max(frame.wave_height, 1e-3), 0.0, 1.0);
-        let whitecaps = calmed * share_from_afar(0.0, across / pow(grazing, 0.65));
+        let sea = local_sea(point);
+        let calmed = sea.height * held_share(depth, sea.height);
+        let whitecaps = calmed * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
         let foam = mean_foam(whitecaps, mean_dense_from(whitecaps, FINE), calmed, FINE);
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.
-        let rough = slopes_at(rest, distance, footprint).rough;
+        let rough = slopes_in(sea, rest, distance, footprint).rough;
         water = WaterPoint(rest, -direction, up, up, along_wind(up), rough, water_alpha(depth),
             water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth), foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;

@@ -121,8 +121,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     let depth = ocean_depth(ground, footprint);
     let alpha = water_alpha(depth);
-    let slopes = slopes_at(rest, distance, footprint);
-    let calmed = held_share(depth);
+    let sea = local_sea(point);
+    let slopes = slopes_in(sea, rest, distance, footprint);
+    let calmed = held_share(depth, sea.height);
+    // There are so many whitecaps as the waves are high: their Reynolds number counts (D. Zhao and Y. Toba 2001).
+    let whitened = calmed * sea.height;
     let slope = slopes.slope * calmed;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
     if UNDER_WATER {
@@ -141,7 +144,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        var shares = calmed * foam_share(foam_at, in.height, foam_footprint, FINE);
+        var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
         var seen = lace_at(foam_at, faced * footprint);
         var dense = usually_dense_from(shares.x);
         if FINE {
@@ -152,7 +155,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         }
         foam = foam_of(shares.x, dense, calmed, seen, FINE);
     } else {
-        var share = calmed * share_from_afar(in.height, foam_footprint);
+        var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
         if SURF { share = max(share, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
     }

@@ -17,12 +17,13 @@ const MENISCUS: f32 = 0.011;           // how high the water climbs, in heights 
 fn vertex(@location(0) grid: vec2f) -> Vertex {
     let place = frame.lens * (frame.ray_forward + grid.x * frame.ray_right + grid.y * frame.ray_up);
     let dn = normal_delta(vec3f(place.xy, -frame.eye_altitude));
-    let held = held_share(-ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 20.0).elevation);
+    let sea = local_sea(map_point(dn));
+    let held = held_share(-ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 20.0).elevation, sea.height);
     // The water that stands there has been moved there by the chop.
     var rest = place.xy;
     var height = 0.0;
     for (var i = 0; i < 4; i++) {
-        let moved = held * displacement_at(vec3f(rest, -frame.eye_altitude), length(rest), 0.01);
+        let moved = held * displacement_in(sea, vec3f(rest, -frame.eye_altitude), length(rest), 0.01);
         rest = place.xy - moved.xy;
         height = moved.z;
     }

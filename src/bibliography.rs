@@ -162,6 +162,13 @@ pub enum Goda2010 {}
 /// frequency*, Coastal Engineering 29, 47–78. <https://doi.org/10.1016/S0378-3839(96)00006-3>
 pub enum YoungVerhagen1996 {}
 
+/// Zhao, D. and Toba, Y. (2001), *Dependence of whitecap coverage on wind and wind-wave properties*, J. Oceanogr. 57, 603–616.
+/// <https://doi.org/10.1023/A:1021215904955>
+pub enum ZhaoToba2001 {}
+
+/// Herdendorf, C. E. (1982), *Large lakes of the world*, J. Great Lakes Res. 8, 379–412: areas, depths and levels.
+pub enum Herdendorf1982 {}
+
 /// McCowan, J. (1894), *On the highest wave of permanent type*, Philosophical Magazine 38, 351–358: the highest solitary wave, 0.78 of
 /// the depth. <https://doi.org/10.1080/14786449408620643>
 pub enum McCowan1894 {}

@@ -50,6 +50,8 @@ pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
 const REPLAY_STEPS: [usize; 2] = [2, 13];
+/// Seconds that a frame may spend on finding where land stands in the sea's way, of a moving picture and of a still one.
+const SHELTER_S: [f64; 2] = [0.003, 0.03];
 /// Updates of the bisected mesh in a frame, of a moving picture and of a still one.
 const MESH_UPDATES: [u32; 2] = [2, 16];
 
@@ -162,11 +164,24 @@ impl Renderer {
         let camera = &frame.camera;
         self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
-        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon);
+        let is_sheltered = self.shelter(frame);
+        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
         self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
         self.complete
+    }
+
+    /// Finds where land stands in the way of a frame's sea; true when that is known.
+    fn shelter(&mut self, frame: &Frame) -> bool {
+        if frame.uniform.layers & SHOWS_SEA == 0 {
+            return true;
+        }
+        let (camera, world) = (&frame.camera, &mut self.world);
+        let budget_s = SHELTER_S[usize::from(!self.moving)];
+        let mut look = |id| world.look(Layer::Water, id);
+        let eye = (camera.lat, camera.lon, camera.altitude_m);
+        self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut look)
     }
 
     /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
@@ -418,7 +433,7 @@ impl Renderer {
 
     /// Whether the sea, its foam or the mesh are still being made: that needs frames, and nothing from outside.
     pub fn is_replaying(&self) -> bool {
-        self.seas.is_busy() || self.surface.is_replaying() || self.mesh.is_settling()
+        self.seas.is_busy() || self.seas.shelter.is_busy() || self.surface.is_replaying() || self.mesh.is_settling()
     }
 
     /// The device.

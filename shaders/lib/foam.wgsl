@@ -13,20 +13,21 @@ fn foam_coordinates(p: vec3f) -> vec2f {
     return in_plane(plane_of(0u), p);
 }
 
-// Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for.
-fn share_beyond(height: Metres, footprint: Metres) -> f32 {
+// Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for. The waves are `local`
+// times as high as the open sea's.
+fn share_beyond(height: Metres, local: f32, footprint: Metres) -> f32 {
     // The triangles are four footprints wide: before they flatten the longest waves, a fifth of the patch, crests must not matter.
     let contrast = 0.8 * (1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)));
-    let deviations = 4.0 * height / max(frame.wave_height, 1e-3);
+    let deviations = 4.0 * height / max(local * frame.wave_height, 1e-3);
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
 }
 
 // The share where no map is: on high water, or beyond the map.
-fn share_from_afar(height: Metres, footprint: Metres) -> f32 {
+fn share_from_afar(height: Metres, local: f32, footprint: Metres) -> f32 {
     if frame.foam_rule == FOAM_HEIGHT {
         return clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
     }
-    return share_beyond(height, footprint);
+    return share_beyond(height, local, footprint);
 }
 
 // The map between four texels, in full precision: samplers' weights have eight bits and differ from one driver to the next, which the
@@ -54,8 +55,8 @@ fn usual_young(share: f32) -> f32 { return 0.38 * share; }
 
 // Shares covered, 0…1, of a rest point with the water at `height`: by all foam, and by young foam, which is sought if `aged`. Each level serves as far as it reaches and while its texels are
 // not much finer than the footprint; what no level serves has the share that the wind asks for.
-fn foam_share(at: vec2f, height: Metres, footprint: Metres, aged: bool) -> vec2f {
-    let afar = share_from_afar(height, footprint);
+fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bool) -> vec2f {
+    let afar = share_from_afar(height, local, footprint);
     let beyond = vec2f(afar, usual_young(afar));
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
     // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.

@@ -10,21 +10,23 @@ const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some
 const STEP_BEYOND: Metres = 2.0;
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
-struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres }
+struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea }
 
 fn placed(rest: vec3f, spacing: Metres) -> Place {
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     let distance = length(rest);
     var moved = vec3f(0.0);
     var allowed = 0.0;
+    var sea = OPEN_SEA;
     if (frame.wave_height > 0.0) & !waves_are_pixels(distance) {
-        let displacement = displacement_at(rest, distance, spacing);
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
+        sea = local_sea(point);
+        let displacement = displacement_in(sea, rest, distance, spacing);
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
-        allowed = held_share(-ground.elevation);
+        allowed = held_share(-ground.elevation, sea.height);
         moved = allowed * displacement;
     }
-    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing);
+    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea);
 }
 
 // The water a step beyond a place, as the eye sees it: level way, and how much higher. What `crest_light` takes.
@@ -32,7 +34,7 @@ fn beyond(place: Place) -> vec2f {
     if !WAVES || !FINE || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
     let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
     let rest = place.rest + STEP_BEYOND * level;
-    let there = place.allowed * displacement_at(rest, length(rest), place.spacing);
+    let there = place.allowed * displacement_in(place.sea, rest, length(rest), place.spacing);
     let here = place.moved - place.rest;
     return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);
 }

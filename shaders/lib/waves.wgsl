@@ -5,6 +5,7 @@
 //
 // Who imports this declares `WAVES` and `NOISE`: whether the wave patches and the Perlin patch show at all.
 #import wave_patches
+#import shelter
 
 // Weights of the FFT and the Perlin field; their squares sum to one, so that the variance stays.
 fn mix_weights(distance: Metres) -> vec2f {
@@ -14,7 +15,10 @@ fn mix_weights(distance: Metres) -> vec2f {
 }
 
 // Displacement (east, north, up) of the rest point `p`. A patch's axes lie in the plane of its cell's centre; here the water moves level.
-fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
+fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f { return displacement_in(OPEN_SEA, p, distance, footprint); }
+
+// The same where land stands in the sea's way.
+fn displacement_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     if !(WAVES || NOISE) || !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
     let cells = serving(p, frame.wave_cell_count);
@@ -30,7 +34,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
             let triangle = served(around.triangle, c < shown.clear);
             var k = 0u;
             loop {
-                let w = here.share * triangle.weights[k] * weights.x * around.fade;
+                let w = here.share * triangle.weights[k] * weights.x * around.fade * sea.gains[c];
                 let laid = cascade_placement(here.plane, c, triangle, k, texels);
                 let own = w * textureSampleLevel(displacements, repeated, laid.at, c, around.lod).xyz;
                 sum += vec3f(frame.chop * (own.x * laid.axis_x + own.y * laid.axis_y), own.z);
@@ -40,7 +44,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
             c++;
             if c == shown.all { break; }
         } }
-        let fade = weights.y * resolvable(footprint, frame.perlin_patch);
+        let fade = weights.y * sea.height * resolvable(footprint, frame.perlin_patch);
         if NOISE && fade > 0.0 {
             let around = perlin_around(here, footprint);
             var k = 0u;
@@ -56,7 +60,7 @@ fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
         if left == 0u { break; }
     }
     // Energies, and so the mean level, go with the squares of the weights.
-    sum.z -= weights.x * weights.x * frame.chop_level;
+    sum.z -= weights.x * weights.x * dot(sea.gains * sea.gains, frame.cascade_levels) * frame.chop_level;
     return sum;
 }
 
@@ -73,11 +77,22 @@ fn cascade_slopes(c: u32) -> vec2f {
     return select(pair.xy, pair.zw, (c & 1u) == 1u);
 }
 
+// Slope variance of a cascade's waves that are higher by a gain.
+fn gained_slopes(sea: LocalSea, c: u32) -> vec2f { return sea.gains[c] * sea.gains[c] * cascade_slopes(c); }
+
+// Slope variance of the whole sea.
+fn local_slopes(sea: LocalSea) -> vec2f {
+    return frame.below_slopes + gained_slopes(sea, 0u) + gained_slopes(sea, 1u) + gained_slopes(sea, 2u) + gained_slopes(sea, 3u);
+}
+
 // What a footprint hides is the mean of the squared slopes less the square of their mean, from the same mip levels, so that
 // nothing is lost in between: what the texture filter takes from the slopes becomes roughness too.
-fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
+fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes { return slopes_in(OPEN_SEA, p, distance, footprint); }
+
+// The same where land stands in the sea's way.
+fn slopes_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
-    let all = frame.below_slopes + cascade_slopes(0u) + cascade_slopes(1u) + cascade_slopes(2u) + cascade_slopes(3u);
+    let all = local_slopes(sea);
     if !(WAVES || NOISE) || !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0, vec2f(0.0)); }
     let cells = serving(p, frame.wave_cell_count);
     let texels = f32(textureDimensions(slopes).x);
@@ -86,9 +101,12 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     // Squares of all weights sum to one: what no patch shows counts once.
     let near = weights.x * weights.x;
     let far = weights.y * weights.y;
-    var rough = near * frame.below_slopes + far * frame.perlin_slopes.xy;
+    // What the Perlin patch lacks of the slopes where it is lower, too.
+    let own = frame.perlin_slopes.zw;
+    let lost = all - local_slopes(OPEN_SEA) + own * (1.0 - sea.height * sea.height);
+    var rough = near * frame.below_slopes + far * max(frame.perlin_slopes.xy + lost, vec2f(0.0));
     let shown = shown_cascades(footprint);
-    for (var c = shown.all; c < CASCADES; c++) { rough += near * cascade_slopes(c); }
+    for (var c = shown.all; c < CASCADES; c++) { rough += near * gained_slopes(sea, c); }
     var left = cells.cells;
     loop {
         let here = in_cell(firstTrailingBit(left), p, cells);
@@ -98,7 +116,7 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
             let triangle = served(around.triangle, c < shown.clear);
             var k = 0u;
             loop {
-                let w = here.share * triangle.weights[k] * weights.x;
+                let w = here.share * triangle.weights[k] * weights.x * sea.gains[c];
                 let laid = cascade_placement(here.plane, c, triangle, k, texels);
                 let means = textureSampleLevel(slopes, repeated, laid.at, c, around.lod);
                 let seen = around.fade * means.xy;
@@ -116,10 +134,9 @@ fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
         } }
         if NOISE && weights.y > 0.0 {
             let around = perlin_around(here, footprint);
-            let own = frame.perlin_slopes.zw;
             var k = 0u;
             loop {
-                let w = here.share * around.triangle.weights[k] * weights.y;
+                let w = here.share * around.triangle.weights[k] * weights.y * sea.height;
                 let laid = perlin_placement(here.plane, around.triangle, k);
                 let noise = textureSampleLevel(perlin, repeated, laid.at, around.lod);
                 let seen = around.fade * noise.yz;

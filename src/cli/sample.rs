@@ -2,10 +2,14 @@
 
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
+use crate::data::exposure::Found;
+use crate::data::tile::Layer;
 use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::model::spectrum::DirectionalSpectrum;
+use crate::model::sheltered_sea::RINGS;
 use crate::scene::sea::Seas;
+use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::surface_sample::instant;
 use crate::scene::time::SceneTime;
 
@@ -45,16 +49,25 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let state = parse_state(&args.state)?;
     let unix_seconds = instant(&state, args.time.as_deref(), unix_now_s())?;
     let (lat, lon) = (lat_deg.to_radians(), lon_deg.to_radians());
-    let sample = World::open(&args.data).sample_blocking(lat, lon)?;
+    let mut world = World::open(&args.data);
+    let sample = world.sample_blocking(lat, lon)?;
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
     if let Some(depth_m) = sample.depth_m {
         let mut seas = Seas::default();
         let tables = seas.tables(&state.settings);
-        let found = seas.sample(&state.settings, lat, lon, unix_seconds, depth_m);
+        let mut look = |id| match world.tile_blocking(Layer::Water, id) {
+            Ok(Some(texels)) => Found::Tile(texels),
+            _ => Found::Absent,
+        };
+        let sea = (&tables, state.settings.wind_from());
+        let gains = of_patches(seas.shelter.at(sea, (lat, lon), &mut look).unwrap_or([1.0; RINGS]));
+        let found = seas.sample_in(&state.settings, (lat, lon), unix_seconds, depth_m, gains);
         let mut surface = serde_json::to_value(found).map_err(json)?;
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();
         surface["hs_m"] = tables.sea.hs_m.into();
+        surface["hs_here_m"] = (tables.height_gain(gains) * tables.sea.hs_m).into();
+        surface["gains"] = gains.to_vec().into();
         surface["tp_s"] = tables.sea.spectrum().peak_period().into();
         object["surface"] = surface;
     } else {

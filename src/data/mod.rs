@@ -9,6 +9,7 @@
 
 pub mod city_lights;
 pub mod coast;
+pub mod exposure;
 pub mod fetch;
 pub mod imagery;
 #[cfg(not(target_arch = "wasm32"))]

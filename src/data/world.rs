@@ -12,6 +12,7 @@ mod shores;
 mod slot;
 mod span;
 
+use super::exposure::Found;
 use super::fetch::{Source, Spawner, join, now_s};
 use super::pmtiles::Archive;
 use super::sample::{Sample, Terrain, sample};
@@ -191,6 +192,23 @@ impl World {
         } else {
             self.make_ready(key);
         }
+    }
+
+    /// What is known of a tile. One that is not is asked for; its answer comes to nobody, but it is in the cache then.
+    pub fn look(&mut self, layer: Layer, id: TileId) -> Found {
+        let key = (layer, id);
+        if let Some(texels) = self.cache.get(&key) {
+            return Found::Tile(texels);
+        }
+        let beyond = self.max_zoom(layer, id.projection).is_some_and(|deepest| id.z > deepest);
+        if beyond || self.absent.contains(&key) || self.given_up.contains_key(&key) || !self.has(layer, id.projection) {
+            return Found::Absent;
+        }
+        if !self.pending.contains_key(&key) {
+            self.request(layer, id);
+            self.unfinished.asks_silently(key);
+        }
+        Found::Coming
     }
 
     /// Sends what has been asked for: neighbours together.

@@ -11,7 +11,7 @@ use super::moved_water::{Motion, Place, between_samples};
 use super::sea_tables::SeaTables;
 use super::surface::gain_of;
 use super::wave_data::WaveData;
-use super::waves::{Cascade, Patch, phase_u32};
+use super::waves::{CASCADES, Cascade, Patch, phase_u32};
 
 /// Waves lower than this share of the significant height do not lift the eye.
 const NOTICED: f64 = 5e-5;
@@ -90,11 +90,11 @@ impl Lift {
         self.patches.iter().flat_map(|patch| patch.rows.iter().flatten()).map(|row| row.waves.len()).sum()
     }
 
-    /// Height of the water over `place` at a tick under a chop λ, m.
-    pub fn height(&self, place: &Place, chop: f64, ticks: u64) -> f64 {
+    /// Height of the water over `place` at a tick under a chop λ, m, where the waves of each patch are `gains` times as high.
+    pub fn height(&self, place: &Place, chop: f64, ticks: u64, gains: [f64; CASCADES]) -> f64 {
         let evolved: Vec<Evolved> = self.patches.iter().map(|patch| self.evolved(patch, ticks)).collect();
-        let leading = |index: usize, at| self.patches[index].motion(&evolved[index], 1, at);
-        let all = |index: usize, at| self.patches[index].motion(&evolved[index], 2, at);
+        let leading = |index: usize, at| self.patches[index].motion(&evolved[index], 1, at).gained(gains[index]);
+        let all = |index: usize, at| self.patches[index].motion(&evolved[index], 2, at).gained(gains[index]);
         let (near, _) = place.invert_from(DVec2::ZERO, chop, NEAR_M[0], leading);
         place.invert_from(near, chop, NEAR_M[1], all).1.height
     }

@@ -52,6 +52,12 @@ impl Motion {
         }
     }
 
+    /// The motion of waves that are `gain` times as high.
+    pub fn gained(self, gain: f64) -> Self {
+        let Self { height, shift, slope, stretch } = self;
+        Self { height: gain * height, shift: gain * shift, slope: gain * slope, stretch: gain * stretch }
+    }
+
     /// The choppy map's gradient at a λ.
     pub fn chop_gradient(&self, chop: f64) -> ChopGradient {
         ChopGradient::new(self.stretch.x, self.stretch.y, self.stretch.z, chop)

@@ -21,6 +21,10 @@ pub struct SeaTables {
     pub below_slopes: [f64; 2],
     /// Mean level of the choppy patches, metres, at most 0: subtracted from what they draw, see [`waves::chop_level_m`].
     pub chop_level_m: f64,
+    /// The share of it that each patch makes; together 1, or 0 in a calm.
+    pub cascade_levels: [f64; CASCADES],
+    /// The share of the waves' energy that each patch holds; together 1, or 0 in a calm.
+    pub cascade_shares: [f64; CASCADES],
     /// The far sea.
     pub perlin: Octaves,
 }
@@ -33,10 +37,43 @@ impl SeaTables {
         let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
         let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
         let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
+        // Of height and of what draws the level down, by patch.
+        let parts = |power: i32| {
+            let part = |c: Cascade| {
+                simpson_log(c.k_min.max(1e-4), c.k_max, 96, |k| k.powi(power) * spectrum.omnidirectional(k))
+            };
+            let parts = cascades.map(part);
+            let all: f64 = parts.iter().sum();
+            parts.map(|part| if all > 0.0 { part / all } else { 0.0 })
+        };
+        let (cascade_shares, cascade_levels) = (parts(0), parts(1));
         let (peak_period_s, perlin) = (spectrum.peak_period(), Octaves::default());
-        let mut tables = Self { sea, peak_period_s, cascades, cascade_slopes, below_slopes, chop_level_m, perlin };
+        let mut tables = Self {
+            sea,
+            peak_period_s,
+            cascades,
+            cascade_slopes,
+            below_slopes,
+            chop_level_m,
+            cascade_levels,
+            cascade_shares,
+            perlin,
+        };
         tables.perlin = Octaves::of(&spectrum, tables.slopes());
         tables
+    }
+
+    /// How much higher the waves are than the open sea's where those of the patches are so by `gains`.
+    pub fn height_gain(&self, gains: [f64; CASCADES]) -> f64 {
+        let of_calm = if self.cascade_shares.iter().any(|share| *share > 0.0) { 0.0 } else { 1.0 };
+        let energy: f64 = gains.iter().zip(self.cascade_shares).map(|(gain, share)| gain * gain * share).sum();
+        libm::sqrt(energy + of_calm)
+    }
+
+    /// [`SeaTables::chop_level_m`] there, m.
+    pub fn level_in_m(&self, gains: [f64; CASCADES]) -> f64 {
+        let level: f64 = gains.iter().zip(self.cascade_levels).map(|(gain, share)| gain * gain * share).sum();
+        level * self.chop_level_m
     }
 
     /// Slopes of the whole sea.

@@ -15,6 +15,7 @@ use crate::pass::perlin::Perlin;
 use crate::scene::frame::Frame;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::Whitecaps;
+use crate::scene::sea::shelter::{LEVELS, SIDE, Window};
 use crate::scene::sea::foam_history::{FoamStep, History};
 
 /// Views of the tables of light, in the order of the bindings.
@@ -33,8 +34,10 @@ pub(super) struct Surface {
     /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance; what a rough
     /// sea mirrors.
     light: Light,
-    /// The clouds' weather, and what they do to the light of the picture.
-    clouds: [wgpu::Buffer; 2],
+    /// The clouds' weather, what they do to the light of the picture, and where land stands in the sea's way.
+    storage: [wgpu::Buffer; 3],
+    /// Of [`Shelter::revision`](crate::scene::sea::shelter::Shelter::revision) that the buffer holds.
+    sheltered: u64,
     /// Layout of bind group 1.
     pub(super) layout: wgpu::BindGroupLayout,
     /// One for each foam map.
@@ -60,13 +63,16 @@ impl Surface {
         let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2, D2].map(Bind::Texture).to_vec();
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
-        binds.extend([Bind::Storage; 2]);
+        binds.extend([Bind::Storage; 3]);
         let layout = gpu.layout("surface", stages, &binds);
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
         let foam = Foam::new(gpu, frame, &layout);
-        let clouds = clouds.map(Clone::clone);
-        let groups = groups(gpu, &layout, (&fft, &perlin, &foam), &light, &clouds);
+        let size = (size_of::<[Window; LEVELS]>() + LEVELS * SIDE * SIDE * size_of::<[u32; 2]>()) as u64;
+        let shelter = gpu.empty_buffer("shelter", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, size);
+        let [weather, net] = clouds.map(Clone::clone);
+        let storage = [weather, net, shelter];
+        let groups = groups(gpu, &layout, (&fft, &perlin, &foam), &light, &storage);
         Self {
             fft,
             perlin,
@@ -74,7 +80,8 @@ impl Surface {
             history: History::default(),
             moving: false,
             light,
-            clouds,
+            storage,
+            sheltered: 0,
             layout,
             groups,
             sea: None,
@@ -105,6 +112,13 @@ impl Surface {
 
     /// Takes the waves of a sea that is not the last one from `seas`.
     pub(super) fn take(&mut self, gpu: &Gpu, frame: &Frame, seas: &mut Seas) {
+        if self.sheltered != seas.shelter.revision() {
+            self.sheltered = seas.shelter.revision();
+            let (windows, nodes) = seas.shelter.packed();
+            let words = windows.map(|window| [window.middle[0], window.middle[1], window.bits, window.state]);
+            gpu.queue.write_buffer(&self.storage[2], 0, bytemuck::cast_slice(&words));
+            gpu.queue.write_buffer(&self.storage[2], size_of_val(&words) as u64, bytemuck::cast_slice(&nodes));
+        }
         let sea = &frame.sea;
         let is_same = self.sea.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, sea) || kept == sea);
         if self.whitecaps != Some(frame.whitecaps) {
@@ -120,7 +134,7 @@ impl Surface {
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
             self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
-            self.groups = groups(gpu, &self.layout, (&self.fft, &self.perlin, &self.foam), &self.light, &self.clouds);
+            self.groups = groups(gpu, &self.layout, (&self.fft, &self.perlin, &self.foam), &self.light, &self.storage);
         }
         self.fft.set_waves(gpu, &sea.cascades, &seas.waves(sea));
         self.made = [None; 2];
@@ -230,7 +244,7 @@ fn groups(
     layout: &wgpu::BindGroupLayout,
     (fft, perlin, foam): (&Fft, &Perlin, &Foam),
     light: &Light,
-    clouds: &[wgpu::Buffer; 2],
+    storage: &[wgpu::Buffer; 3],
 ) -> [wgpu::BindGroup; 2] {
     foam.maps.each_ref().map(|map| {
         let waves = [&fft.displacements, &fft.slopes, &fft.stretches].map(texture::array_view);
@@ -241,7 +255,7 @@ fn groups(
             .chain(light)
             .chain([&lace])
             .map(wgpu::BindingResource::TextureView)
-            .chain(clouds.iter().map(wgpu::Buffer::as_entire_binding))
+            .chain(storage.iter().map(wgpu::Buffer::as_entire_binding))
             .collect();
         gpu.bind("surface", layout, &views)
     })

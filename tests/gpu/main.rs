@@ -24,6 +24,7 @@ mod pool;
 mod precision;
 mod shaders;
 mod slope_moments;
+mod shelter;
 mod sparkle;
 mod spray;
 mod surface_sample;

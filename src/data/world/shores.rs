@@ -29,6 +29,11 @@ impl Unfinished {
         self.silent.remove(key);
     }
 
+    /// The answer to a request for this tile is nobody's.
+    pub(super) fn asks_silently(&mut self, key: Key) {
+        self.silent.insert(key);
+    }
+
     /// Whether nobody but a child has asked for this tile, which is here now.
     pub(super) fn asked_silently(&mut self, key: &Key) -> bool {
         self.silent.remove(key)
@@ -59,7 +64,7 @@ impl World {
                         self.answer(key, Outcome::Failed(Error::Fetch { url, why }));
                     } else if !self.pending.contains_key(&parent) {
                         self.request(parent.0, parent.1);
-                        self.unfinished.silent.insert(parent);
+                        self.unfinished.asks_silently(parent);
                     }
                 }
                 _ => {

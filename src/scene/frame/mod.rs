@@ -10,6 +10,7 @@ use crate::model::{earth, moon, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
+use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::surface_sample::allowed_by_depth;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::Camera;
@@ -40,6 +41,8 @@ pub struct Frame {
     pub unix_seconds: f64,
     /// The sea and its patches.
     pub sea: Arc<SeaTables>,
+    /// Bearing that the wind comes from, radians.
+    pub wind_from: f64,
     /// Where the eye is in the foam map.
     pub foam_eye: FoamEye,
     /// The sea's whitecaps.
@@ -50,6 +53,8 @@ pub struct Frame {
     pub foam_lifetime_s: Option<f64>,
     /// Height of the water at the eye's place over the ellipsoid, metres, where it is deep and the eye among the waves; elsewhere 0.
     pub surface_m: f64,
+    /// Significant height of the waves at the eye's place, where land may stand in their way, metres.
+    pub local_height_m: f64,
     /// Whether stars may show: it is dark at the eye, or it is in space.
     pub shows_stars: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
@@ -124,6 +129,7 @@ impl Frame {
         // In a trough the eye may be below the ellipsoid and over the water.
         let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
         let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
+        let local_height_m = sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(camera.lat, camera.lon)));
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
@@ -136,11 +142,13 @@ impl Frame {
             size,
             unix_seconds,
             sea,
+            wind_from: settings.wind_from(),
             foam_eye,
             whitecaps,
             shows_foam: wanted.amount > 0.0,
             foam_lifetime_s,
             surface_m,
+            local_height_m,
             shows_stars: light::stars_show(&uniform, settings),
             shows_city_lights: light::city_lights_show(&uniform, settings),
             clouds,
@@ -169,7 +177,7 @@ impl Frame {
 
     /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that.
     pub fn over_water_m(&self, depth_m: f64) -> f64 {
-        self.camera.altitude_m - allowed_by_depth(depth_m, self.sea.sea.hs_m) * self.surface_m
+        self.camera.altitude_m - allowed_by_depth(depth_m, self.local_height_m) * self.surface_m
     }
 
     /// The same frame, reporting a measured layer instead of the picture.

@@ -8,8 +8,8 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
-use crate::model::{relief, rugged};
-use crate::scene::sea::foam;
+use crate::model::{relief, rugged, sheltered_sea};
+use crate::scene::sea::{foam, shelter};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 
 /// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
@@ -29,10 +29,14 @@ pub fn shared_constants() -> String {
         ("SHOWS_SEA", SHOWS_SEA),
         ("SHOWS_SKY", SHOWS_SKY),
         ("MIRROR_NODES", super::clouds::MIRROR_NODES),
+        ("SHELTER_LEVELS", shelter::LEVELS as u32),
+        ("SHELTER_SIDE", shelter::SIDE as u32),
     ];
     let numbers = [
         ("HELD_BY_DEPTH", HELD_BY_DEPTH),
         ("LEAST_JACOBIAN", LEAST_JACOBIAN),
+        ("SHELTER_MOST_GAIN", sheltered_sea::MOST_GAIN),
+        ("SHELTER_LEAST_KNOWN", shelter::LEAST_KNOWN),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),
@@ -357,6 +361,10 @@ gpu_struct! {
         lens: f32 = "Metres",
         /// Mean level of the choppy FFT patches, at most 0; what is drawn has it subtracted.
         chop_level: f32 = "Metres",
+        /// Share of it that each cascade makes.
+        cascade_levels: Vec4 = "vec4f",
+        /// Share of the waves' energy that each cascade holds.
+        cascade_shares: Vec4 = "vec4f",
         /// Cascade slopes.
         cascade_slopes: [Vec4; 2] = "array<vec4f, 2>",
         /// What the Perlin patch does not hold, then its own.

@@ -31,6 +31,8 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_
     u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
+    u.cascade_levels = Vec4::from(sea.cascade_levels.map(|share| share as f32));
+    u.cascade_shares = Vec4::from(sea.cascade_shares.map(|share| share as f32));
     u.mix_near = MIX_NEAR_M as f32;
     u.mix_far = MIX_FAR_M as f32;
     u.perlin_patch = sea.perlin.patch_m as f32;

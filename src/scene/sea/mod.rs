@@ -4,6 +4,7 @@ pub mod foam;
 pub mod foam_history;
 pub mod ride;
 pub mod seas;
+pub mod shelter;
 pub mod surface_sample;
 pub mod tables;
 pub mod thresholds;

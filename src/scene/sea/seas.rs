@@ -18,6 +18,7 @@ use crate::model::sea_tables::SeaTables;
 use crate::model::wave_data::{Making, WaveData};
 use crate::model::waves;
 use crate::scene::sea::foam::Whitecaps;
+use crate::scene::sea::shelter::{Shelter, of_patches};
 use crate::scene::sea::tables::{patch_samples, sea_of};
 use crate::scene::sea::thresholds::Thresholds;
 use crate::scene::settings::{Foam, Settings};
@@ -48,11 +49,13 @@ pub struct Seas {
     making: Option<(Arc<SeaTables>, Making)>,
     thresholds: Thresholds,
     lift: Option<(Arc<SeaTables>, Lift)>,
-    /// The last height and where and when it was: wind, latitude, longitude, tick.
-    height: Option<(Arc<SeaTables>, [u64; 4], f64)>,
+    /// The last height and where and when it was: wind, latitude, longitude, tick, gains of the waves.
+    height: Option<(Arc<SeaTables>, [u64; 8], f64)>,
     patches: Option<(Arc<SeaTables>, u64, Arc<DrawnPatches>)>,
     revision: u64,
     work: Work,
+    /// Where land stands in its way.
+    pub shelter: Shelter,
 }
 
 impl Seas {
@@ -193,7 +196,9 @@ impl Seas {
             return 0.0;
         }
         let ticks = waves::ticks_from_unix(unix_seconds);
-        let place = [settings.wind_from().to_bits(), lat.to_bits(), lon.to_bits(), ticks];
+        let gains = of_patches(self.shelter.around(lat, lon));
+        let [a, b, c, d] = gains.map(f64::to_bits);
+        let place = [settings.wind_from().to_bits(), lat.to_bits(), lon.to_bits(), ticks, a, b, c, d];
         if let Some((of, known, height_m)) = &self.height
             && *known == place
             && *of == tables
@@ -205,10 +210,10 @@ impl Seas {
             self.lift = Some((tables.clone(), Lift::new(&tables, &data)));
         }
         let lifted = self.lift.as_ref().map_or(0.0, |(_, lift)| {
-            lift.height(&Place::new(&tables, settings.wind_from(), lat, lon), tables.sea.chop, ticks)
+            lift.height(&Place::new(&tables, settings.wind_from(), lat, lon), tables.sea.chop, ticks, gains)
         });
         self.work.lifted += 1;
-        let height_m = lifted - tables.chop_level_m;
+        let height_m = lifted - tables.level_in_m(gains);
         self.height = Some((tables, place, height_m));
         height_m
     }

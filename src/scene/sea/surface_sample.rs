@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::error::{Error, Result};
 use crate::model::moved_water::Place;
-use crate::model::waves;
+use crate::model::waves::{self, CASCADES};
 use crate::scene::sea::Seas;
 use crate::scene::settings::Settings;
 use crate::scene::time::SceneTime;
@@ -34,7 +34,8 @@ pub fn allowed_by_depth(depth_m: f64, hs_m: f64) -> f64 {
 }
 
 impl Seas {
-    /// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea).
+    /// The surface at geodetic `lat`, `lon` (radians) at a UTC instant, over water `depth_m` deep (infinity: the open sea), with no land in
+    /// the sea's way.
     ///
     /// These are the numbers that are drawn where the Perlin field has no weight, within 2 km of the eye: within a centimetre and
     /// 0.1°, except where a crest has folded over the place and there is more than one surface. The first sample of an instant
@@ -47,8 +48,21 @@ impl Seas {
         unix_seconds: f64,
         depth_m: f64,
     ) -> SurfaceSample {
+        self.sample_in(settings, (lat, lon), unix_seconds, depth_m, [1.0; CASCADES])
+    }
+
+    /// As [`Seas::sample`], where the waves of each patch are `gains` times as high as those of the open sea
+    /// ([`Shelter`](crate::scene::sea::shelter::Shelter)).
+    pub fn sample_in(
+        &mut self,
+        settings: &Settings,
+        (lat, lon): (f64, f64),
+        unix_seconds: f64,
+        depth_m: f64,
+        gains: [f64; CASCADES],
+    ) -> SurfaceSample {
         let tables = self.tables(settings);
-        let allowed = allowed_by_depth(depth_m, tables.sea.hs_m);
+        let allowed = allowed_by_depth(depth_m, tables.height_gain(gains) * tables.sea.hs_m);
         if tables.sea.hs_m == 0.0 || allowed == 0.0 {
             return SurfaceSample {
                 height_m: 0.0,
@@ -60,12 +74,12 @@ impl Seas {
         let patches = self.patches(&tables, waves::ticks_from_unix(unix_seconds));
         let place = Place::new(&tables, settings.wind_from(), lat, lon);
         let chop = tables.sea.chop;
-        let (rest, motion) = place.invert(allowed * chop, |index, at| patches.motion(index, at));
+        let (rest, motion) = place.invert(allowed * chop, |index, at| patches.motion(index, at).gained(gains[index]));
         let gradient = motion.chop_gradient(chop);
         let jacobian = gradient.jacobian();
         let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)
             * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
-        let height_m = allowed * (motion.height - tables.chop_level_m);
+        let height_m = allowed * (motion.height - tables.level_in_m(gains));
         SurfaceSample {
             height_m,
             normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),

@@ -1,0 +1,422 @@
+//! Where land stands in the sea's way: the waves' gains at nodes of grids that are fixed to the map, around the eye for drawing and around
+//! a place for a sample.
+//!
+//! ```text
+//!  level   nodes around the map   apart, at the equator   a window reaches
+//!    0            2^15                   1.2 km                39 km          what displaces the water lies within the first window,
+//!    1            2^13                   4.9 km               157 km          so that every eye finds the same heights there
+//!    2            2^11                    20 km               626 km
+//!    3            2^9                     78 km             2,500 km          for an eye in space
+//! ```
+//!
+//! What stands in a node's way (`data::exposure`) is found once; wind and sea only weigh it anew. Nodes on land take the sea of their shore,
+//! and count next to nothing where a wet one is near. Mercator's map alone: beyond 84 degrees all sea is open.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::data::exposure::{Found, ShoreTiles, Shores, Water, cos_lat};
+use crate::data::fetch::now_s;
+use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, TileId, map_from_lat_lon};
+use crate::model::earth::WGS84;
+use crate::model::sea_tables::SeaTables;
+use crate::model::waves::CASCADES;
+use crate::model::sheltered_sea::{DIRECTIONS, Exposure, Exposures, FARTHEST_M, LocalSea, MOST_GAIN, RINGS};
+
+/// Grids of nodes.
+pub const LEVELS: usize = 4;
+/// Nodes around the map are 2 to this power.
+pub const BITS: [u32; LEVELS] = [15, 13, 11, 9];
+/// Nodes along a side of a level's window.
+pub const SIDE: usize = 64;
+/// The middle of a window is a multiple of this many nodes.
+const SNAP: u32 = 4;
+/// Levels of tiles above that of the nodes: their texels are half as wide as nodes are apart.
+const TILES_ABOVE: u32 = 7;
+/// Nodes farther inland than this many of their distances tell nothing.
+const INLAND: f64 = 3.0;
+/// What a node on land counts beside a wet one.
+const ON_LAND: f64 = 0.02;
+/// Where nodes count for less than this there is no water that they know.
+pub const LEAST_KNOWN: f64 = 0.01;
+/// Nodes that wait for tiles before the others of a level wait, too.
+const WAITING: usize = 32;
+/// Heights of the eye from which on a level is too fine to be seen, m.
+const HIGHEST_M: [f64; LEVELS] = [400_000.0, 1_600_000.0, 6_400_000.0, 25_000_000.0];
+
+/// Gains of the rings.
+pub type Gains = [f64; RINGS];
+
+/// Those of all patches: the ripples of the last are there as soon as the wind is.
+pub fn of_patches([a, b, c]: Gains) -> [f64; CASCADES] {
+    [a, b, c, 1.0]
+}
+
+/// What is known at a node.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    place: [u32; 2],
+    /// Distances to the shores that stand there and clearances; NaN where they are not known.
+    exposures: [[f32; 2]; DIRECTIONS],
+    weight: f64,
+    gains: Gains,
+}
+
+impl Node {
+    const NONE: Self = Self { place: [u32::MAX; 2], exposures: [[f32::NAN; 2]; DIRECTIONS], weight: 0.0, gains: [1.0; RINGS] };
+
+    fn exposures(&self) -> Exposures {
+        self.exposures.map(|[fetch_m, clearance]| {
+            (!fetch_m.is_nan()).then(|| Exposure { fetch_m: fetch_m.into(), clearance: clearance.into() })
+        })
+    }
+
+    /// As shaders have it: 16 bits for each gain and the weight.
+    fn packed(&self) -> [u32; 2] {
+        let [a, b, c] = self.gains.map(|gain| bits(gain / MOST_GAIN));
+        [a | b << 16, c | bits(self.weight) << 16]
+    }
+}
+
+fn bits(share: f64) -> u32 {
+    libm::round(share.clamp(0.0, 1.0) * 65_535.0) as u32
+}
+
+/// A window of one level's nodes as shaders know it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Window {
+    /// The middle on the map, 2^32 its side.
+    pub middle: [u32; 2],
+    /// Power of two of the nodes around the map.
+    pub bits: u32,
+    /// 0: nothing is known, 1: the nodes say it, 2: all is open sea.
+    pub state: u32,
+}
+
+/// Nothing is known.
+const UNKNOWN: u32 = 0;
+/// The nodes say it.
+const KNOWN: u32 = 1;
+/// All is open sea.
+const OPEN: u32 = 2;
+
+/// The gains around an eye, and whatever has been found for them.
+pub struct Shelter {
+    windows: [Window; LEVELS],
+    nodes: Vec<Node>,
+    tiles: ShoreTiles,
+    sea: Option<(Arc<SeaTables>, u64, Arc<LocalSea>)>,
+    /// Nodes of [`Shelter::at`].
+    sampled: HashMap<(usize, [u32; 2]), Node>,
+    /// What the nodes have been brought to: windows and the sea's number.
+    done: Option<([Window; LEVELS], u64)>,
+    seas: u64,
+    revision: u64,
+    is_busy: bool,
+}
+
+impl Default for Shelter {
+    fn default() -> Self {
+        Self {
+            windows: Default::default(),
+            nodes: Vec::new(),
+            tiles: ShoreTiles::default(),
+            sea: None,
+            sampled: HashMap::new(),
+            done: None,
+            seas: 0,
+            revision: 0,
+            is_busy: false,
+        }
+    }
+}
+
+impl Shelter {
+    /// Brings the nodes around an eye at geodetic `lat` and `lon`, radians, and a height in metres up to date for a sea under a wind from
+    /// bearing `wind_from`, for at most so many seconds. True when they are and have been before this call.
+    pub fn advance(
+        &mut self,
+        (tables, wind_from): (&Arc<SeaTables>, f64),
+        (lat, lon, altitude_m): (f64, f64, f64),
+        budget_s: f64,
+        look: &mut dyn FnMut(TileId) -> Found,
+    ) -> bool {
+        let local = self.local(tables, wind_from);
+        let mut windows = windows(lat, lon, altitude_m);
+        if tables.sea.hs_m == 0.0 {
+            windows.iter_mut().for_each(|window| window.state = OPEN);
+        }
+        let asked = windows;
+        if let Some((of, seas)) = &self.done
+            && *seas == self.seas
+            && of == &asked
+        {
+            self.is_busy = false;
+            return true;
+        }
+        self.nodes.resize(LEVELS * SIDE * SIDE, Node::NONE);
+        let until_s = now_s() + budget_s;
+        let mut tiles = std::mem::take(&mut self.tiles);
+        let mut shores = tiles.looking(look);
+        let (mut waits, mut is_late) = (false, false);
+        // Coarse ones first: they stand in for the others.
+        for level in (0..LEVELS).rev().filter(|level| asked[*level].state == KNOWN) {
+            match is_open(&mut shores, &asked[level]) {
+                Some(true) => windows[level].state = OPEN,
+                Some(false) => {
+                    let (missing, late) =
+                        self.fill(level, &windows[level], (&local, &mut shores), until_s);
+                    waits |= missing;
+                    is_late |= late;
+                }
+                None => (waits, windows[level].state) = (true, UNKNOWN),
+            }
+        }
+        self.tiles = tiles;
+        self.windows = windows;
+        self.revision += 1;
+        self.is_busy = is_late;
+        if !waits && !is_late {
+            self.tiles.clear();
+            self.done = Some((asked, self.seas));
+        }
+        false
+    }
+
+    /// The sea as places have it, made anew for another sea or wind.
+    fn local(&mut self, tables: &Arc<SeaTables>, wind_from: f64) -> Arc<LocalSea> {
+        let known = self.sea.as_ref().filter(|(of, wind, _)| *wind == wind_from.to_bits() && (Arc::ptr_eq(of, tables) || of == tables));
+        if let Some((_, _, local)) = known {
+            return local.clone();
+        }
+        let local = Arc::new(LocalSea::new(tables, wind_from, f64::INFINITY));
+        self.sea = Some((tables.clone(), wind_from.to_bits(), local.clone()));
+        self.seas += 1;
+        self.sampled.clear();
+        for node in &mut self.nodes {
+            let known = (0..DIRECTIONS).all(|i| !local.needs(i) || !node.exposures[i][0].is_nan());
+            if known && node.weight > 0.0 {
+                node.gains = local.gains(&node.exposures());
+            } else if node.weight > 0.0 {
+                node.place = [u32::MAX; 2];
+            }
+        }
+        local
+    }
+
+    /// Finds the nodes of a window that are not there. Whether some wait for tiles, and whether the time was over.
+    fn fill(
+        &mut self,
+        level: usize,
+        window: &Window,
+        (local, shores): (&LocalSea, &mut Shores),
+        until_s: f64,
+    ) -> (bool, bool) {
+        let shift = 32 - window.bits;
+        let first = window.middle.map(|at| (at >> shift).wrapping_sub(SIDE as u32 / 2));
+        let mut waiting = 0;
+        for row in 0..SIDE as u32 {
+            for column in 0..SIDE as u32 {
+                let mask = (1u32 << window.bits) - 1;
+                let place = [first[0].wrapping_add(column) & mask, first[1].wrapping_add(row)];
+                let node = &mut self.nodes[slot(level, place)];
+                if node.place == place {
+                    continue;
+                }
+                // Beyond the map's rims there is nothing.
+                if place[1] > mask {
+                    *node = Node { place, ..Node::NONE };
+                    continue;
+                }
+                match found(level, place, local, shores) {
+                    Some(known) => *node = known,
+                    None => {
+                        *node = Node::NONE;
+                        waiting += 1;
+                        if waiting == WAITING {
+                            return (true, false);
+                        }
+                    }
+                }
+            }
+            if now_s() > until_s {
+                return (waiting > 0, true);
+            }
+        }
+        (waiting > 0, false)
+    }
+
+    /// The windows, and the nodes of each.
+    pub fn packed(&self) -> ([Window; LEVELS], Vec<[u32; 2]>) {
+        (self.windows, self.nodes.iter().map(Node::packed).collect())
+    }
+
+    /// A number that changes with what [`Shelter::packed`] says.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Whether more is left to find than the last call had time for.
+    pub fn is_busy(&self) -> bool {
+        self.is_busy
+    }
+
+    /// The gains at geodetic `lat` and `lon`, radians, as far as they are known around the eye: those that shaders find there.
+    pub fn around(&self, lat: f64, lon: f64) -> Gains {
+        let Some(at) = place(lat, lon) else { return [1.0; RINGS] };
+        for (level, window) in self.windows.iter().enumerate() {
+            if window.state == OPEN {
+                return [1.0; RINGS];
+            }
+            let known = |place: [u32; 2]| {
+                let node = self.nodes.get(slot(level, place)).filter(|node| node.place == place);
+                Some(node.map_or(([1.0; RINGS], 0.0), |node| (node.gains, node.weight)))
+            };
+            if window.state == KNOWN
+                && let Some(gains) = between(level, at, known).flatten()
+            {
+                return gains;
+            }
+        }
+        [1.0; RINGS]
+    }
+
+    /// The gains at a place whatever the eye sees; `None` while a tile that `look` asks for is on its way.
+    pub fn at(
+        &mut self,
+        (tables, wind_from): (&Arc<SeaTables>, f64),
+        (lat, lon): (f64, f64),
+        look: &mut dyn FnMut(TileId) -> Found,
+    ) -> Option<Gains> {
+        let local = self.local(tables, wind_from);
+        let Some(at) = place(lat, lon).filter(|_| tables.sea.hs_m > 0.0) else { return Some([1.0; RINGS]) };
+        let mut tiles = std::mem::take(&mut self.tiles);
+        let mut shores = tiles.looking(look);
+        let mut gains = Some([1.0; RINGS]);
+        for level in 0..LEVELS {
+            let known = |place: [u32; 2]| {
+                let node = match self.sampled.get(&(level, place)) {
+                    Some(node) => *node,
+                    None => found(level, place, &local, &mut shores)?,
+                };
+                self.sampled.insert((level, place), node);
+                Some((node.gains, node.weight))
+            };
+            match between(level, at, known) {
+                Some(None) => continue,
+                found => gains = found.flatten(),
+            }
+            break;
+        }
+        self.tiles = tiles;
+        gains
+    }
+}
+
+/// A place on the map where there are nodes.
+fn place(lat: f64, lon: f64) -> Option<(f64, f64)> {
+    (lat.abs() < POLAR_LATITUDE_DEG.to_radians()).then(|| map_from_lat_lon(Projection::Mercator, lat, lon))
+}
+
+/// The windows around an eye.
+fn windows(lat: f64, lon: f64, altitude_m: f64) -> [Window; LEVELS] {
+    let (x, y) = map_from_lat_lon(Projection::Mercator, lat, lon);
+    let height_m = altitude_m.max(0.0);
+    let horizon_m = 5_000.0 + libm::sqrt(height_m * (2.0 * WGS84.a + height_m));
+    std::array::from_fn(|level| {
+        let around = f64::from(BITS[level]).exp2() / f64::from(SNAP);
+        let snapped = |at: f64| ((at * around).round() as u32).wrapping_mul(SNAP << (32 - BITS[level]));
+        // What the level before shows all of needs no coarser one.
+        let shown_m = level.checked_sub(1).map_or(0.0, |finer| 0.7 * reach_m(finer, y));
+        let state = if altitude_m < HIGHEST_M[level] && horizon_m > shown_m { KNOWN } else { UNKNOWN };
+        Window { middle: [snapped(x), snapped(y)], bits: BITS[level], state }
+    })
+}
+
+/// How far a level's window reaches at a height of the map, m.
+fn reach_m(level: usize, y: f64) -> f64 {
+    0.5 * SIDE as f64 / f64::from(BITS[level]).exp2() * EQUATOR_M * cos_lat(y)
+}
+
+/// Whether no node of a window has land in its way.
+fn is_open(shores: &mut Shores, window: &Window) -> Option<bool> {
+    let [x, y] = window.middle.map(|at| f64::from(at) / 32f64.exp2());
+    let reach = SIDE as f64 / f64::from(window.bits).exp2();
+    // Distances are ground metres; towards the equator the window is wider.
+    let widest = cos_lat((y - reach).clamp(0.0, 1.0)).max(cos_lat((y + reach).clamp(0.0, 1.0))).max(cos_lat(y));
+    let shore_m = shores.distances_m(1, (x, y))?[0];
+    Some(shore_m > 0.75 * reach * EQUATOR_M * widest + FARTHEST_M)
+}
+
+/// Where a node is kept.
+fn slot(level: usize, place: [u32; 2]) -> usize {
+    let [x, y] = place.map(|at| at as usize % SIDE);
+    (level * SIDE + y) * SIDE + x
+}
+
+/// The gains between four nodes, of which `known` tells gains and weights: `None` where it does not know, `Some(None)` where they know no
+/// water.
+fn between(level: usize, (x, y): (f64, f64), mut known: impl FnMut([u32; 2]) -> Option<(Gains, f64)>) -> Option<Option<Gains>> {
+    let around = f64::from(BITS[level]).exp2();
+    let (gx, gy) = (x * around, y * around);
+    let (i, j) = (gx.floor(), gy.floor());
+    let (fx, fy) = (gx - i, gy - j);
+    let (mut sum, mut all) = ([0.0; RINGS], 0.0);
+    for (di, dj, share) in
+        [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
+    {
+        let place = [(i as u32 + di) & ((1 << BITS[level]) - 1), j as u32 + dj];
+        let (gains, weight) = known(place)?;
+        let weight = share * weight;
+        all += weight;
+        sum = std::array::from_fn(|ring| sum[ring] + weight * gains[ring]);
+    }
+    Some((all > LEAST_KNOWN).then(|| sum.map(|sum| sum / all)))
+}
+
+/// A node; `None` while a tile is on its way.
+fn found(level: usize, place: [u32; 2], local: &LocalSea, shores: &mut Shores) -> Option<Node> {
+    let around = f64::from(BITS[level]).exp2();
+    let mut at = (f64::from(place[0]) / around, f64::from(place[1]) / around);
+    let mut node = Node { place, ..Node::NONE };
+    if !(0.0..1.0).contains(&at.1) || cos_lat(at.1) < libm::cos(POLAR_LATITUDE_DEG.to_radians()) {
+        return Some(Node { weight: 1.0, exposures: [[FARTHEST_M as f32, f32::INFINITY]; DIRECTIONS], ..node });
+    }
+    let finest = (BITS[level] - TILES_ABOVE) as u8;
+    let apart_m = EQUATOR_M * cos_lat(at.1) / around;
+    let [shore_m, _] = shores.distances_m(finest, at)?;
+    if shore_m > FARTHEST_M {
+        return Some(Node { weight: 1.0, exposures: [[FARTHEST_M as f32, f32::INFINITY]; DIRECTIONS], ..node });
+    }
+    node.weight = 1.0;
+    if shore_m <= 0.0 {
+        if shore_m < -INLAND * apart_m {
+            return Some(Node { weight: 0.0, ..node });
+        }
+        node.weight = ON_LAND;
+        at = seaward(shores, finest, at, 0.3 * apart_m)?;
+    }
+    for direction in (0..DIRECTIONS).filter(|direction| local.needs(*direction)) {
+        let exposure = shores.exposure(at, direction, Water::Ocean, finest)?;
+        node.exposures[direction] = [exposure.fetch_m as f32, exposure.clearance as f32];
+    }
+    node.gains = local.gains(&node.exposures());
+    Some(node)
+}
+
+/// The place at sea so far off the shore, metres, that is next to a place on land.
+fn seaward(shores: &mut Shores, z: u8, mut at: (f64, f64), off_m: f64) -> Option<(f64, f64)> {
+    for _ in 0..2 {
+        let texel = 1.0 / crate::data::tile::texels_across(z);
+        let mut shore_m = |dx: f64, dy: f64| Some(shores.distances_m(z, (at.0 + dx, (at.1 + dy).clamp(0.0, 1.0)))?[0]);
+        let here = shore_m(0.0, 0.0)?;
+        if here > 0.5 * off_m {
+            break;
+        }
+        let (right, down) = (shore_m(texel, 0.0)? - shore_m(-texel, 0.0)?, shore_m(0.0, texel)? - shore_m(0.0, -texel)?);
+        let steep = libm::hypot(right, down).max(1e-9);
+        let way = (off_m - here) / (EQUATOR_M * cos_lat(at.1)) / steep;
+        at = ((at.0 + way * right).rem_euclid(1.0), (at.1 + way * down).clamp(0.0, 1.0));
+    }
+    Some(at)
+}
