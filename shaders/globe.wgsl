@@ -68,7 +68,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ocean = ocean_share(ground, ground_across);
     let depth = ocean_depth(ground, ground_across);
     let grazing = max(abs(dot(direction, up)), 0.002);
-    var water = lake_water(rest, direction, up);
+    let lake = local_water(point, OF_LAKE);
+    let lake_foam = lake.height * share_from_afar(0.0, 1.0, ground_across);
+    var water = lake_water(rest, direction, up, up, local_slopes(lake), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
         let sea = local_sea(point);

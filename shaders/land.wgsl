@@ -1,6 +1,9 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
-// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, of src/pass/land.rs.
+// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, and `LAKES`, whether lakes may be so near
+// that their waves show, of src/pass/land.rs.
 #import ground
+#import lace
+#import waves
 #import spray
 #import output
 
@@ -15,6 +18,8 @@ struct Vertex {
     @location(4) ways: vec4f,
 }
 
+const WAVES = LAKES;
+const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
@@ -54,6 +59,7 @@ fn vertex(in: Tile) -> Vertex {
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
     }
     var height = ground.elevation + made.height;
+    if !ground.is_ocean { height = with_lake(height, ground.lake_shore, lake_at(point)); }
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = rest + up * height;
@@ -72,7 +78,28 @@ struct Place { distance: Metres, dn: vec3f, point: MapPoint, sin_lat: f32, groun
 
 fn place(distance: Metres, dn: vec3f, point: MapPoint) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    return Place(distance, dn, point, sin_lat, ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0)));
+    var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
+    if !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
+    return Place(distance, dn, point, sin_lat, ground);
+}
+
+// A lake with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
+// its normal alone.
+fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
+    let sea = local_water(at.point, OF_LAKE);
+    let share = min(sea.height, 1.0) * share_from_afar(0.0, 1.0, footprint);
+    var normal = up;
+    var rough = local_slopes(sea);
+    var foam = mean_foam(share, mean_dense_from(share, FINE), 1.0, FINE);
+    if LAKES {
+        let rest = surface_from_normal_delta(at.dn);
+        // By the patches alone, however far the eye is.
+        let seen = slopes_in(sea, rest, 0.0, footprint);
+        normal = normalize(up - vec3f(seen.slope, 0.0));
+        rough = seen.rough;
+        foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint), FINE);
+    }
+    return lake_water(direction * at.distance, direction, up, normal, rough, foam);
 }
 
 // Where a ray meets the ellipsoid.
@@ -133,7 +160,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light);
     var radiance = lit.radiance;
-    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_water(direction * distance, direction, up), light, clear), lake_share(ground, footprint)); }
+    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), lake_share(ground, footprint)); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }

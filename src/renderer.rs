@@ -174,9 +174,6 @@ impl Renderer {
 
     /// Finds where land stands in the way of a frame's sea; true when that is known.
     fn shelter(&mut self, frame: &Frame) -> bool {
-        if frame.uniform.layers & SHOWS_SEA == 0 {
-            return true;
-        }
         let (camera, world) = (&frame.camera, &mut self.world);
         let budget_s = SHELTER_S[usize::from(!self.moving)];
         let mut look = |id| world.look(Layer::Water, id);
@@ -308,7 +305,7 @@ impl Renderer {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, ground_kind, ground_groups);
+                self.land.draw(&mut pass, (ground_kind, side.shows_lakes), ground_groups);
             }
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);

@@ -75,10 +75,9 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
 
 const LAKE_KIND = 2.5;             // of the water of lakes
 
-// A calm, deep lake.
-fn lake_water(at: vec3f, direction: vec3f, up: vec3f) -> WaterPoint {
-    return WaterPoint(at, -direction, up, up, east_at(up), vec2f(0.002), 1.0, LAKE_KIND, Bed(vec3f(0.0), 0.0), flat_foam(0.0, 0.0),
-        MEAN_FACETS, vec3f(0.0));
+// A deep lake.
+fn lake_water(at: vec3f, direction: vec3f, up: vec3f, normal: vec3f, rough: vec2f, foam: Foam) -> WaterPoint {
+    return WaterPoint(at, -direction, up, normal, along_wind(up), rough, 1.0, LAKE_KIND, Bed(vec3f(0.0), 0.0), foam, MEAN_FACETS, vec3f(0.0));
 }
 
 // How much of a pixel of a lake is water.

@@ -72,19 +72,6 @@ struct Slopes {
     folds: vec2f,          // how much the chop draws the water together, a normal level, and its variance, 1 where a footprint hides nothing
 }
 
-fn cascade_slopes(c: u32) -> vec2f {
-    let pair = frame.cascade_slopes[c >> 1u];
-    return select(pair.xy, pair.zw, (c & 1u) == 1u);
-}
-
-// Slope variance of a cascade's waves that are higher by a gain.
-fn gained_slopes(sea: LocalSea, c: u32) -> vec2f { return sea.gains[c] * sea.gains[c] * cascade_slopes(c); }
-
-// Slope variance of the whole sea.
-fn local_slopes(sea: LocalSea) -> vec2f {
-    return frame.below_slopes + gained_slopes(sea, 0u) + gained_slopes(sea, 1u) + gained_slopes(sea, 2u) + gained_slopes(sea, 3u);
-}
-
 // What a footprint hides is the mean of the squared slopes less the square of their mean, from the same mip levels, so that
 // nothing is lost in between: what the texture filter takes from the slopes becomes roughness too.
 fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes { return slopes_in(OPEN_SEA, p, distance, footprint); }

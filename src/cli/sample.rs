@@ -2,8 +2,9 @@
 
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
-use crate::data::exposure::Found;
+use crate::data::exposure::{Found, Water};
 use crate::data::tile::Layer;
+use crate::data::water::WaterClass;
 use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::model::spectrum::DirectionalSpectrum;
@@ -53,25 +54,32 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let sample = world.sample_blocking(lat, lon)?;
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
-    if let Some(depth_m) = sample.depth_m {
-        let mut seas = Seas::default();
-        let tables = seas.tables(&state.settings);
+    let mut seas = Seas::default();
+    let tables = seas.tables(&state.settings);
+    let mut gains = |seas: &mut Seas, water| {
         let mut look = |id| match world.tile_blocking(Layer::Water, id) {
             Ok(Some(texels)) => Found::Tile(texels),
             _ => Found::Absent,
         };
         let sea = (&tables, state.settings.wind_from());
-        let gains = of_patches(seas.shelter.at(sea, (lat, lon), &mut look).unwrap_or([1.0; RINGS]));
+        of_patches(seas.shelter.at(sea, (water, lat, lon), &mut look).unwrap_or([1.0; RINGS]))
+    };
+    let height_m = |gains| serde_json::Value::from(tables.height_gain(gains) * tables.sea.hs_m);
+    if let Some(depth_m) = sample.depth_m {
+        let gains = gains(&mut seas, Water::Ocean);
         let found = seas.sample_in(&state.settings, (lat, lon), unix_seconds, depth_m, gains);
         let mut surface = serde_json::to_value(found).map_err(json)?;
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();
         surface["hs_m"] = tables.sea.hs_m.into();
-        surface["hs_here_m"] = (tables.height_gain(gains) * tables.sea.hs_m).into();
+        surface["hs_here_m"] = height_m(gains);
         surface["gains"] = gains.to_vec().into();
         surface["tp_s"] = tables.sea.spectrum().peak_period().into();
         object["surface"] = surface;
     } else {
         object["surface"] = serde_json::Value::Null;
+    }
+    if sample.class == WaterClass::Lake {
+        object["lake_hs_m"] = height_m(gains(&mut seas, Water::Lake));
     }
     object["lat_deg"] = lat_deg.into();
     object["lng_deg"] = ((lon_deg + 180.0).rem_euclid(360.0) - 180.0).into();

@@ -10,6 +10,7 @@ use super::water::{MOST_STEPS, SATURATION_TEXELS, STEPS_PER_TEXEL, WaterClass, u
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
+use crate::model::lakes;
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::shaped_elevation;
@@ -17,7 +18,7 @@ use crate::model::sea_bed::shaped_elevation;
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Sample {
-    /// Elevation of the ground over the rest surface of the sea as it is drawn, metres: the next two together.
+    /// Elevation of the ground over the rest surface of the sea as it is drawn, metres: the next two together, or the level of a lake.
     pub elevation_m: f64,
     /// What the data say of it, shaped so that it meets the sharp coast.
     pub elevation_measured_m: f64,
@@ -32,6 +33,8 @@ pub struct Sample {
     pub shore_distance_m: Option<f64>,
     /// Distance to the nearest lake's shore, metres, positive in the lake; as above.
     pub lake_distance_m: Option<f64>,
+    /// The lake that covers the ground, where it is one of the table (`model::lakes`): its surface is then the elevation.
+    pub lake: Option<&'static str>,
     /// The level of the terrain tile.
     pub terrain_level: u8,
     /// The level of the water tile; `None`: no tile, the class comes from the sign of the elevation.
@@ -80,6 +83,7 @@ pub fn sample(
             class,
             shore_distance_m: None,
             lake_distance_m: None,
+            lake: None,
             terrain_level,
             water_level: None,
         }));
@@ -103,7 +107,9 @@ pub fn sample(
     } else {
         0.0
     };
+    let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let elevation_m = elevation_measured_m + relief_made_m;
+    let elevation_m = lake.map_or(elevation_m, |lake| lakes::shaped(elevation_m, lake_m, lake.level_m, lake.margin_m));
     Ok(Some(Sample {
         elevation_m,
         elevation_measured_m,
@@ -112,6 +118,7 @@ pub fn sample(
         class,
         shore_distance_m: map.known(ocean_m, lat),
         lake_distance_m: map.known(lake_m, lat),
+        lake: lake.filter(|lake| class == WaterClass::Lake && elevation_m == lake.level_m).map(|lake| lake.name),
         terrain_level,
         water_level: Some(water_level),
     }))

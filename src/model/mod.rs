@@ -16,6 +16,7 @@ pub mod fft;
 pub mod foam;
 pub mod geodesic;
 pub mod lace;
+pub mod lakes;
 pub mod lift;
 pub mod moon;
 pub mod moved_water;

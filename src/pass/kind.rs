@@ -52,6 +52,11 @@ impl Kind {
         self.definitions() + &format!("const IMAGERY: bool = {imagery};\n")
     }
 
+    /// Whether waves of lakes may show in such pictures.
+    pub fn shows_lakes(self) -> bool {
+        !self.measured && !self.under_water && self.fine
+    }
+
     /// What a shader is told.
     pub fn definitions(self) -> String {
         let Self { measured, under_water, spray, fine, clouds } = self;

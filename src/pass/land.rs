@@ -21,16 +21,18 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader of a kind of picture, with imagery or without, of ground with relief that the data do not hold or without.
-pub fn source(kind: Kind, imagery: bool, rugged: bool) -> String {
-    let definitions = kind.ground_definitions(imagery) + &format!("const RUGGED: bool = {rugged};\n");
+/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, with lakes
+/// so near that their waves show or without.
+pub fn source(kind: Kind, imagery: bool, [rugged, lakes]: [bool; 2]) -> String {
+    let definitions = kind.ground_definitions(imagery)
+        + &format!("const RUGGED: bool = {rugged};\nconst LAKES: bool = {lakes};\n");
     shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
 }
 
 /// The pass.
 pub struct Land {
-    /// Of ground without relief of its own, and with.
-    pipelines: [ByGround; 2],
+    /// Without waves of lakes and with, each of ground without relief of its own, and with.
+    pipelines: [[ByGround; 2]; 2],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
@@ -62,16 +64,17 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |rugged| {
-            let source = |kind, imagery| source(kind, imagery, rugged);
-            ByGround::new(Kind::all, |kind, imagery| {
+        let pipelines = |lakes, rugged| {
+            let source = |kind, imagery| source(kind, imagery, [rugged, lakes]);
+            let kinds = move || Kind::all().filter(move |kind| !lakes || kind.shows_lakes());
+            ByGround::new(kinds, |kind, imagery| {
                 gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
             })
         };
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: [false, true].map(pipelines),
+            pipelines: [false, true].map(|lakes| [false, true].map(|rugged| pipelines(lakes, rugged))),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
@@ -101,10 +104,16 @@ impl Land {
         [plain + rugged, (plain + rugged) * (self.index_count / 3)]
     }
 
-    /// Its one or two draws, of a kind and with imagery or without.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
+    /// Its one or two draws, of a kind and with imagery or without, with waves of lakes or without.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        (kind, lakes): ((Kind, bool), bool),
+        groups: [&wgpu::BindGroup; 3],
+    ) {
         let [plain, rugged] = self.counts;
-        for (pipelines, tiles) in self.pipelines.iter().rev().zip([0..rugged, rugged..rugged + plain]) {
+        let lakes = usize::from(lakes && kind.0.shows_lakes());
+        for (pipelines, tiles) in self.pipelines[lakes].iter().rev().zip([0..rugged, rugged..rugged + plain]) {
             if tiles.is_empty() || !pipelines.set(pass, kind, groups) {
                 continue;
             }

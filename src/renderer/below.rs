@@ -2,6 +2,7 @@
 
 use super::targets::{DEPTH_FORMAT, Passes, Radiance, Targets};
 use crate::data::sample::Sample;
+use crate::data::water::WaterClass;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::pass::caustics::Caustics;
@@ -9,6 +10,9 @@ use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
 use crate::scene::frame::{CUT_M, Frame};
+
+/// Waves of lakes that are farther from the eye's foot, metres, are roughness alone.
+const LAKES_SEEN_M: f64 = 20_000.0;
 
 /// Where the eye of a picture is, as only the world knows.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +25,8 @@ pub(super) struct Side {
     pub(super) is_cut: bool,
     /// Whether shores are so near that their surf shows.
     pub(super) shows_surf: bool,
+    /// Whether lakes are so near that their waves show.
+    pub(super) shows_lakes: bool,
 }
 
 impl Side {
@@ -29,9 +35,12 @@ impl Side {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
         let shows_surf = frame.shows_surf(shore_m);
+        let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
+        let is_lake = place.is_some_and(|place| place.class == WaterClass::Lake);
+        let shows_lakes = frame.has_waves() && (is_lake || lake_m > -LAKES_SEEN_M);
         let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m));
         let is_cut = blends && frame.has_light() && over_m.abs() < CUT_M;
-        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf }
+        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf, shows_lakes }
     }
 
     /// The kind of the picture from below, if there is one.

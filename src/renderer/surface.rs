@@ -68,7 +68,7 @@ impl Surface {
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
         let foam = Foam::new(gpu, frame, &layout);
-        let size = (size_of::<[Window; LEVELS]>() + LEVELS * SIDE * SIDE * size_of::<[u32; 2]>()) as u64;
+        let size = (size_of::<[Window; LEVELS]>() + LEVELS * SIDE * SIDE * size_of::<[u32; 4]>()) as u64;
         let shelter = gpu.empty_buffer("shelter", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, size);
         let [weather, net] = clouds.map(Clone::clone);
         let storage = [weather, net, shelter];

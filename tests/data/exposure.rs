@@ -113,9 +113,9 @@ fn a_place_has_the_same_waves_by_itself_and_around_any_eye() {
     let mut spread = [f64::INFINITY, 0.0f64];
     for i in 0..200 {
         let (lat, lon) = (0.0002 * f64::from(i % 14) - 0.001, lon - 0.0035 - 0.0001 * f64::from(i / 14));
-        let own = alone.at((&tables, wind_from), (lat, lon), &mut tile).unwrap();
+        let own = alone.at((&tables, wind_from), (Water::Ocean, lat, lon), &mut tile).unwrap();
         for shelter in &around {
-            assert_eq!(shelter.around(lat, lon), own, "{lat} {lon}");
+            assert_eq!(shelter.around(Water::Ocean, lat, lon), own, "{lat} {lon}");
         }
         spread = [spread[0].min(own[1]), spread[1].max(own[1])];
     }
@@ -124,8 +124,8 @@ fn a_place_has_the_same_waves_by_itself_and_around_any_eye() {
     // Another wind weighs the same exposures anew, and finds what a shelter of its own does.
     let [mut turned, _] = around;
     while !turned.advance((&tables, 4.0), eyes[0], 1.0, &mut tile) {}
-    let own = alone.at((&tables, 4.0), (0.0, lon - 0.004), &mut tile).unwrap();
-    assert_eq!(turned.around(0.0, lon - 0.004), own);
+    let own = alone.at((&tables, 4.0), (Water::Ocean, 0.0, lon - 0.004), &mut tile).unwrap();
+    assert_eq!(turned.around(Water::Ocean, 0.0, lon - 0.004), own);
     assert!(own[0] > 0.95, "the wind comes from the west, and so does the sea: {own:?}");
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use ocean_globe::cli::render::{self, LayerName};
-use ocean_globe::data::exposure::Found;
+use ocean_globe::data::exposure::{Found, Water};
 use ocean_globe::data::tile::Layer;
 use ocean_globe::model::earth::{self, WGS84};
 use ocean_globe::renderer::{Radiance, Renderer};
@@ -22,7 +22,7 @@ fn gains(renderer: &mut Renderer, settings: &Settings, seas: &mut Seas, lat: f64
         Ok(Some(texels)) => Found::Tile(texels),
         _ => Found::Absent,
     };
-    let found = seas.shelter.at((&tables, settings.wind_from()), (lat, lon), &mut look).unwrap();
+    let found = seas.shelter.at((&tables, settings.wind_from()), (Water::Ocean, lat, lon), &mut look).unwrap();
     (of_patches(found), tables.height_gain(of_patches(found)))
 }
 
@@ -101,4 +101,28 @@ fn two_eyes_see_the_same_heights_in_a_lee() {
     heights(&mut second, [27.5, -15.9], 60_000.0, [64, 64]);
         let [a, b] = [&mut first, &mut second].map(|renderer| heights(renderer, [28.0, -16.8], 300.0, [128, 128]));
     assert_eq!(a, b);
+}
+
+#[test]
+fn lakes_are_drawn_at_their_level() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Place, level, height of the eye over the ellipsoid, metres: near, and from 10 km.
+    for (place, level_m, altitude_m) in [
+        ("47.7,-87.5", 183.0, 400.0),
+        ("42,50.5", -28.0, 10_000.0),
+        ("46.45,6.5", 372.0, 600.0),
+        ("-15.8,-69.4", 3812.0, 4_000.0),
+        ("31.5,35.48", -430.0, 100.0),
+    ] {
+        let state = render::parse_state(&format!("#view={place},{altitude_m},0,0{WEATHER}")).unwrap();
+        let told_m = render::measure(&mut renderer, &state, [65, 65], LayerName::Height).unwrap().values[32 * 65 + 32];
+        // Beside a height the texture holds the distance.
+        let texels = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+        let middle = bytemuck::pod_read_unaligned::<[f32; 4]>(&texels[16 * (32 * 65 + 32)..][..16]);
+        let drawn_m = altitude_m - f64::from(middle[1]);
+        assert!((told_m - level_m).abs() < 1e-3, "{place}: {told_m}");
+        println!("{place}: drawn at {drawn_m:.2} m, the table's {level_m}");
+        // Distances are in 32 bits; cells of a kilometre bend by 2 cm less than the earth.
+        assert!((drawn_m - level_m).abs() < 0.1 + 1e-5 * altitude_m, "{place}: {drawn_m}");
+    }
 }

@@ -7,6 +7,7 @@ mod ensemble;
 mod floors;
 mod foam;
 mod geodesy;
+mod lakes;
 mod mistakes;
 mod mistakes_surface;
 mod moon;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DMat3;
 
+use crate::data::exposure::Water;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::MAX_CELLS;
 use crate::model::{earth, moon, waves};
@@ -129,7 +130,7 @@ impl Frame {
         // In a trough the eye may be below the ellipsoid and over the water.
         let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
         let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
-        let local_height_m = sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(camera.lat, camera.lon)));
+        let local_height_m = sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(Water::Ocean, camera.lat, camera.lon)));
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);

@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
-use crate::model::{relief, rugged, sheltered_sea};
+use crate::model::{lakes, relief, rugged, sheltered_sea};
 use crate::scene::sea::{foam, shelter};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 
@@ -37,6 +37,11 @@ pub fn shared_constants() -> String {
         ("LEAST_JACOBIAN", LEAST_JACOBIAN),
         ("SHELTER_MOST_GAIN", sheltered_sea::MOST_GAIN),
         ("SHELTER_LEAST_KNOWN", shelter::LEAST_KNOWN),
+        ("SHELTER_ON_LAND", shelter::ON_LAND),
+        ("LAKE_SHORE", lakes::SHORE_M),
+        ("LAKE_OF_MARGIN", lakes::OF_MARGIN),
+        ("LAKE_RISE", lakes::SHORE_RISES[0]),
+        ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),

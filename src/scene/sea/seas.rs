@@ -11,6 +11,7 @@
 
 use std::sync::Arc;
 
+use crate::data::exposure::Water;
 use crate::model::drawn_patches::DrawnPatches;
 use crate::model::lift::Lift;
 use crate::model::moved_water::Place;
@@ -196,7 +197,7 @@ impl Seas {
             return 0.0;
         }
         let ticks = waves::ticks_from_unix(unix_seconds);
-        let gains = of_patches(self.shelter.around(lat, lon));
+        let gains = of_patches(self.shelter.around(Water::Ocean, lat, lon));
         let [a, b, c, d] = gains.map(f64::to_bits);
         let place = [settings.wind_from().to_bits(), lat.to_bits(), lon.to_bits(), ticks, a, b, c, d];
         if let Some((of, known, height_m)) = &self.height

@@ -10,18 +10,23 @@
 //! ```
 //!
 //! What stands in a node's way (`data::exposure`) is found once; wind and sea only weigh it anew. Nodes on land take the sea of their shore,
-//! and count next to nothing where a wet one is near. Mercator's map alone: beyond 84 degrees all sea is open.
+//! and count next to nothing where a wet one is near. Nodes of lakes know the level of a lake that is in the table
+//! (`model::lakes`), too. Mercator's map alone: beyond 84 degrees all sea is open.
 
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use crate::data::exposure::{Found, ShoreTiles, Shores, Water, cos_lat};
 use crate::data::fetch::now_s;
 use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, TileId, map_from_lat_lon};
 use crate::model::earth::WGS84;
 use crate::model::sea_tables::SeaTables;
+use crate::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, LocalSea, RINGS};
 use crate::model::waves::CASCADES;
-use crate::model::sheltered_sea::{DIRECTIONS, Exposure, Exposures, FARTHEST_M, LocalSea, MOST_GAIN, RINGS};
+use nodes::{Local, Node, between, found};
+pub use nodes::{LEAST_KNOWN, ON_LAND};
+
+mod nodes;
 
 /// Grids of nodes.
 pub const LEVELS: usize = 4;
@@ -31,14 +36,6 @@ pub const BITS: [u32; LEVELS] = [15, 13, 11, 9];
 pub const SIDE: usize = 64;
 /// The middle of a window is a multiple of this many nodes.
 const SNAP: u32 = 4;
-/// Levels of tiles above that of the nodes: their texels are half as wide as nodes are apart.
-const TILES_ABOVE: u32 = 7;
-/// Nodes farther inland than this many of their distances tell nothing.
-const INLAND: f64 = 3.0;
-/// What a node on land counts beside a wet one.
-const ON_LAND: f64 = 0.02;
-/// Where nodes count for less than this there is no water that they know.
-pub const LEAST_KNOWN: f64 = 0.01;
 /// Nodes that wait for tiles before the others of a level wait, too.
 const WAITING: usize = 32;
 /// Heights of the eye from which on a level is too fine to be seen, m.
@@ -50,36 +47,6 @@ pub type Gains = [f64; RINGS];
 /// Those of all patches: the ripples of the last are there as soon as the wind is.
 pub fn of_patches([a, b, c]: Gains) -> [f64; CASCADES] {
     [a, b, c, 1.0]
-}
-
-/// What is known at a node.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    place: [u32; 2],
-    /// Distances to the shores that stand there and clearances; NaN where they are not known.
-    exposures: [[f32; 2]; DIRECTIONS],
-    weight: f64,
-    gains: Gains,
-}
-
-impl Node {
-    const NONE: Self = Self { place: [u32::MAX; 2], exposures: [[f32::NAN; 2]; DIRECTIONS], weight: 0.0, gains: [1.0; RINGS] };
-
-    fn exposures(&self) -> Exposures {
-        self.exposures.map(|[fetch_m, clearance]| {
-            (!fetch_m.is_nan()).then(|| Exposure { fetch_m: fetch_m.into(), clearance: clearance.into() })
-        })
-    }
-
-    /// As shaders have it: 16 bits for each gain and the weight.
-    fn packed(&self) -> [u32; 2] {
-        let [a, b, c] = self.gains.map(|gain| bits(gain / MOST_GAIN));
-        [a | b << 16, c | bits(self.weight) << 16]
-    }
-}
-
-fn bits(share: f64) -> u32 {
-    libm::round(share.clamp(0.0, 1.0) * 65_535.0) as u32
 }
 
 /// A window of one level's nodes as shaders know it.
@@ -105,7 +72,7 @@ pub struct Shelter {
     windows: [Window; LEVELS],
     nodes: Vec<Node>,
     tiles: ShoreTiles,
-    sea: Option<(Arc<SeaTables>, u64, Arc<LocalSea>)>,
+    sea: Option<Arc<Local>>,
     /// Nodes of [`Shelter::at`].
     sampled: HashMap<(usize, [u32; 2]), Node>,
     /// What the nodes have been brought to: windows and the sea's number.
@@ -143,9 +110,6 @@ impl Shelter {
     ) -> bool {
         let local = self.local(tables, wind_from);
         let mut windows = windows(lat, lon, altitude_m);
-        if tables.sea.hs_m == 0.0 {
-            windows.iter_mut().for_each(|window| window.state = OPEN);
-        }
         let asked = windows;
         if let Some((of, seas)) = &self.done
             && *seas == self.seas
@@ -184,19 +148,23 @@ impl Shelter {
     }
 
     /// The sea as places have it, made anew for another sea or wind.
-    fn local(&mut self, tables: &Arc<SeaTables>, wind_from: f64) -> Arc<LocalSea> {
-        let known = self.sea.as_ref().filter(|(of, wind, _)| *wind == wind_from.to_bits() && (Arc::ptr_eq(of, tables) || of == tables));
-        if let Some((_, _, local)) = known {
+    fn local(&mut self, tables: &Arc<SeaTables>, wind_from: f64) -> Arc<Local> {
+        let is_same = |local: &&Arc<Local>| {
+            let of = &local.tables;
+            local.wind_from == wind_from && (Arc::ptr_eq(of, tables) || of == tables)
+        };
+        if let Some(local) = self.sea.as_ref().filter(is_same) {
             return local.clone();
         }
-        let local = Arc::new(LocalSea::new(tables, wind_from, f64::INFINITY));
-        self.sea = Some((tables.clone(), wind_from.to_bits(), local.clone()));
+        let open = LocalSea::new(tables, wind_from, f64::INFINITY);
+        let local = Arc::new(Local { tables: tables.clone(), wind_from, open, lakes: Mutex::default() });
+        self.sea = Some(local.clone());
         self.seas += 1;
         self.sampled.clear();
         for node in &mut self.nodes {
-            let known = (0..DIRECTIONS).all(|i| !local.needs(i) || !node.exposures[i][0].is_nan());
+            let known = (0..DIRECTIONS).all(|i| !local.open.needs(i) || !node.exposures[i][0].is_nan());
             if known && node.weight > 0.0 {
-                node.gains = local.gains(&node.exposures());
+                node.gains = local.gains(node);
             } else if node.weight > 0.0 {
                 node.place = [u32::MAX; 2];
             }
@@ -209,7 +177,7 @@ impl Shelter {
         &mut self,
         level: usize,
         window: &Window,
-        (local, shores): (&LocalSea, &mut Shores),
+        (local, shores): (&Local, &mut Shores),
         until_s: f64,
     ) -> (bool, bool) {
         let shift = 32 - window.bits;
@@ -247,7 +215,7 @@ impl Shelter {
     }
 
     /// The windows, and the nodes of each.
-    pub fn packed(&self) -> ([Window; LEVELS], Vec<[u32; 2]>) {
+    pub fn packed(&self) -> ([Window; LEVELS], Vec<[u32; 4]>) {
         (self.windows, self.nodes.iter().map(Node::packed).collect())
     }
 
@@ -261,19 +229,18 @@ impl Shelter {
         self.is_busy
     }
 
-    /// The gains at geodetic `lat` and `lon`, radians, as far as they are known around the eye: those that shaders find there.
-    pub fn around(&self, lat: f64, lon: f64) -> Gains {
+    /// The gains of a water at geodetic `lat` and `lon`, radians, as far as they are known around the eye: those that shaders find there.
+    pub fn around(&self, water: Water, lat: f64, lon: f64) -> Gains {
         let Some(at) = place(lat, lon) else { return [1.0; RINGS] };
         for (level, window) in self.windows.iter().enumerate() {
             if window.state == OPEN {
                 return [1.0; RINGS];
             }
             let known = |place: [u32; 2]| {
-                let node = self.nodes.get(slot(level, place)).filter(|node| node.place == place);
-                Some(node.map_or(([1.0; RINGS], 0.0), |node| (node.gains, node.weight)))
+                Some(self.nodes.get(slot(level, place)).filter(|node| node.place == place).copied().unwrap_or(Node::NONE))
             };
             if window.state == KNOWN
-                && let Some(gains) = between(level, at, known).flatten()
+                && let Some(gains) = between(level, at, water, known).flatten()
             {
                 return gains;
             }
@@ -281,11 +248,11 @@ impl Shelter {
         [1.0; RINGS]
     }
 
-    /// The gains at a place whatever the eye sees; `None` while a tile that `look` asks for is on its way.
+    /// The gains of a water at a place whatever the eye sees; `None` while a tile that `look` asks for is on its way.
     pub fn at(
         &mut self,
         (tables, wind_from): (&Arc<SeaTables>, f64),
-        (lat, lon): (f64, f64),
+        (water, lat, lon): (Water, f64, f64),
         look: &mut dyn FnMut(TileId) -> Found,
     ) -> Option<Gains> {
         let local = self.local(tables, wind_from);
@@ -300,9 +267,9 @@ impl Shelter {
                     None => found(level, place, &local, &mut shores)?,
                 };
                 self.sampled.insert((level, place), node);
-                Some((node.gains, node.weight))
+                Some(node)
             };
-            match between(level, at, known) {
+            match between(level, at, water, known) {
                 Some(None) => continue,
                 found => gains = found.flatten(),
             }
@@ -352,71 +319,4 @@ fn is_open(shores: &mut Shores, window: &Window) -> Option<bool> {
 fn slot(level: usize, place: [u32; 2]) -> usize {
     let [x, y] = place.map(|at| at as usize % SIDE);
     (level * SIDE + y) * SIDE + x
-}
-
-/// The gains between four nodes, of which `known` tells gains and weights: `None` where it does not know, `Some(None)` where they know no
-/// water.
-fn between(level: usize, (x, y): (f64, f64), mut known: impl FnMut([u32; 2]) -> Option<(Gains, f64)>) -> Option<Option<Gains>> {
-    let around = f64::from(BITS[level]).exp2();
-    let (gx, gy) = (x * around, y * around);
-    let (i, j) = (gx.floor(), gy.floor());
-    let (fx, fy) = (gx - i, gy - j);
-    let (mut sum, mut all) = ([0.0; RINGS], 0.0);
-    for (di, dj, share) in
-        [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
-    {
-        let place = [(i as u32 + di) & ((1 << BITS[level]) - 1), j as u32 + dj];
-        let (gains, weight) = known(place)?;
-        let weight = share * weight;
-        all += weight;
-        sum = std::array::from_fn(|ring| sum[ring] + weight * gains[ring]);
-    }
-    Some((all > LEAST_KNOWN).then(|| sum.map(|sum| sum / all)))
-}
-
-/// A node; `None` while a tile is on its way.
-fn found(level: usize, place: [u32; 2], local: &LocalSea, shores: &mut Shores) -> Option<Node> {
-    let around = f64::from(BITS[level]).exp2();
-    let mut at = (f64::from(place[0]) / around, f64::from(place[1]) / around);
-    let mut node = Node { place, ..Node::NONE };
-    if !(0.0..1.0).contains(&at.1) || cos_lat(at.1) < libm::cos(POLAR_LATITUDE_DEG.to_radians()) {
-        return Some(Node { weight: 1.0, exposures: [[FARTHEST_M as f32, f32::INFINITY]; DIRECTIONS], ..node });
-    }
-    let finest = (BITS[level] - TILES_ABOVE) as u8;
-    let apart_m = EQUATOR_M * cos_lat(at.1) / around;
-    let [shore_m, _] = shores.distances_m(finest, at)?;
-    if shore_m > FARTHEST_M {
-        return Some(Node { weight: 1.0, exposures: [[FARTHEST_M as f32, f32::INFINITY]; DIRECTIONS], ..node });
-    }
-    node.weight = 1.0;
-    if shore_m <= 0.0 {
-        if shore_m < -INLAND * apart_m {
-            return Some(Node { weight: 0.0, ..node });
-        }
-        node.weight = ON_LAND;
-        at = seaward(shores, finest, at, 0.3 * apart_m)?;
-    }
-    for direction in (0..DIRECTIONS).filter(|direction| local.needs(*direction)) {
-        let exposure = shores.exposure(at, direction, Water::Ocean, finest)?;
-        node.exposures[direction] = [exposure.fetch_m as f32, exposure.clearance as f32];
-    }
-    node.gains = local.gains(&node.exposures());
-    Some(node)
-}
-
-/// The place at sea so far off the shore, metres, that is next to a place on land.
-fn seaward(shores: &mut Shores, z: u8, mut at: (f64, f64), off_m: f64) -> Option<(f64, f64)> {
-    for _ in 0..2 {
-        let texel = 1.0 / crate::data::tile::texels_across(z);
-        let mut shore_m = |dx: f64, dy: f64| Some(shores.distances_m(z, (at.0 + dx, (at.1 + dy).clamp(0.0, 1.0)))?[0]);
-        let here = shore_m(0.0, 0.0)?;
-        if here > 0.5 * off_m {
-            break;
-        }
-        let (right, down) = (shore_m(texel, 0.0)? - shore_m(-texel, 0.0)?, shore_m(0.0, texel)? - shore_m(0.0, -texel)?);
-        let steep = libm::hypot(right, down).max(1e-9);
-        let way = (off_m - here) / (EQUATOR_M * cos_lat(at.1)) / steep;
-        at = ((at.0 + way * right).rem_euclid(1.0), (at.1 + way * down).clamp(0.0, 1.0));
-    }
-    Some(at)
 }
