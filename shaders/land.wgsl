@@ -47,7 +47,8 @@ fn vertex(in: Tile) -> Vertex {
     let sin_lat = select(frame.sin_lat, raw_sin_lat, abs(raw_sin_lat) < 0.99999);
     let spacing = texel_metres(point, f32(tile.y), raw_sin_lat) * f32(TILE_TEXELS) / GRID;
     let rest = surface_from_normal_delta(dn);
-    let ground = ground_at(point, sin_lat, spacing);
+    var ground = ground_at(point, sin_lat, spacing);
+    if !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
     var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
@@ -59,7 +60,6 @@ fn vertex(in: Tile) -> Vertex {
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
     }
     var height = ground.elevation + made.height;
-    if !ground.is_ocean { height = with_lake(height, ground.lake_shore, lake_at(point)); }
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = rest + up * height;

@@ -10,7 +10,7 @@ use super::water::{MOST_STEPS, SATURATION_TEXELS, STEPS_PER_TEXEL, WaterClass, u
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
-use crate::model::lakes;
+use crate::model::lakes::{self, Lake};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::shaped_elevation;
@@ -18,9 +18,9 @@ use crate::model::sea_bed::shaped_elevation;
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Sample {
-    /// Elevation of the ground over the rest surface of the sea as it is drawn, metres: the next two together, or the level of a lake.
+    /// Elevation of the ground over the rest surface of the sea as it is drawn, metres: the next two together.
     pub elevation_m: f64,
-    /// What the data say of it, shaped so that it meets the sharp coast.
+    /// What the data say of it, shaped so that it meets the sharp coast, and lakes whose level is known at that.
     pub elevation_measured_m: f64,
     /// What is made up for the data's coarseness, see [`crate::model::relief`]; on dry land alone.
     pub relief_made_m: f64,
@@ -100,16 +100,17 @@ pub fn sample(
             _ => WaterClass::Land,
         }
     };
-    let elevation_measured_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    let measured_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
+    let shaped = |lake: &Lake| lakes::shaped(measured_m, lake_m, lake.level_m, lake.margin_m);
+    let elevation_measured_m = lake.map_or(measured_m, shaped);
     let relief_made_m = if matches!(class, WaterClass::Land | WaterClass::Island) {
         let shores = Shores { ocean_m, lake_m };
         map.relief(point, [terrain.deepest, water_level], (lat, lon), elevation_measured_m, shores)?
     } else {
         0.0
     };
-    let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let elevation_m = elevation_measured_m + relief_made_m;
-    let elevation_m = lake.map_or(elevation_m, |lake| lakes::shaped(elevation_m, lake_m, lake.level_m, lake.margin_m));
     Ok(Some(Sample {
         elevation_m,
         elevation_measured_m,
