@@ -120,6 +120,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var at: Place;
     if by_ray {
         at = place_on_ellipsoid(direction, far_hit);
+        // A lake has less air before it the higher it lies: as where its triangles tell the distance.
+        if at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
     } else {
         let point = tile_point(in.tile, in.in_tile);
         at = place(triangle_distance, normal_delta_at(point), point);
