@@ -90,17 +90,7 @@ pub fn parse_size(text: &str) -> Result<[u32; 2]> {
 /// The first complaint of the fragment's parser.
 pub fn parse_state(text: &str) -> Result<ViewState> {
     let (state, complaints) = ViewState::parse_fragment(text, None);
-    for key in not_drawn(&state) {
-        log::warn!("{key}: kept in links, but this version does not draw it yet");
-    }
     complaints.into_iter().next().map_or(Ok(state), Err)
-}
-
-/// Keys of a state that links carry and this version does not draw.
-fn not_drawn(state: &ViewState) -> Vec<&'static str> {
-    let settings = &state.settings;
-    let keys = [("spectrum", !settings.spectrum.is_drawn())];
-    keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
 
 /// A headless renderer over the world in `data`.

@@ -17,6 +17,7 @@ pub mod foam;
 pub mod geodesic;
 pub mod lace;
 pub mod lift;
+pub mod modes;
 pub mod moon;
 pub mod moved_water;
 pub mod noise;

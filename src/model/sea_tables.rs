@@ -28,11 +28,24 @@ pub struct SeaTables {
 impl SeaTables {
     /// The tables of a sea on patches of `n` by `n` samples.
     pub fn new(sea: Sea, n: usize) -> Self {
-        let spectrum = sea.spectrum();
+        let (spectrum, drawn, modes) = (sea.spectrum(), sea.drawn_spectrum(), sea.modes());
         let cascades = waves::cascades(n);
-        let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
-        let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
-        let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
+        // Simpson's rule wants no step inside its interval.
+        let parts = |k0: f64, k1: f64| [[k0, k1.min(drawn.wind_from * (1.0 - 1e-12))], [k0.max(drawn.wind_from), k1]];
+        let slopes = |k0, k1| {
+            let [a, b] = parts(k0, k1).map(|[k0, k1]| slopes_between(&drawn, k0, k1));
+            [a[0] + b[0], a[1] + b[1]]
+        };
+        let cascade_slopes = std::array::from_fn(|i| {
+            let own = modes.iter().filter(|mode| mode.cascade == i);
+            own.fold(slopes(cascades[i].k_min, cascades[i].k_max), |sum, mode| {
+                std::array::from_fn(|axis| sum[axis] + mode.wave_vector[axis].powi(2) * mode.variance())
+            })
+        });
+        let k_max = cascades[CASCADES - 1].k_max;
+        let below_slopes = slopes_between(&drawn, k_max, f64::INFINITY);
+        let level: f64 = modes.iter().map(|mode| mode.wavenumber() * mode.variance()).sum();
+        let chop_level_m = waves::chop_level_m(&drawn, k_max, sea.chop) - sea.chop * level;
         let (peak_period_s, perlin) = (spectrum.peak_period(), Octaves::default());
         let mut tables = Self { sea, peak_period_s, cascades, cascade_slopes, below_slopes, chop_level_m, perlin };
         tables.perlin = Octaves::of(&spectrum, tables.slopes());

@@ -74,10 +74,7 @@ fn spectrum(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
     let combo = ComboBox::from_label("spectrum").width(110.0).selected_text(name(settings.spectrum));
     let combo = combo.show_ui(ui, |ui| {
         for (spectrum, name) in Spectrum::ALL {
-            ui.add_enabled_ui(spectrum.is_drawn(), |ui| {
-                let label = ui.selectable_value(&mut settings.spectrum, spectrum, name);
-                label.on_disabled_hover_text("Kept in the link; drawn as jonswap in this version");
-            });
+            ui.selectable_value(&mut settings.spectrum, spectrum, name);
         }
     });
     widgets.note("spectrum", &combo.response);

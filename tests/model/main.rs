@@ -9,6 +9,7 @@ mod foam;
 mod geodesy;
 mod mistakes;
 mod mistakes_surface;
+mod modes;
 mod moon;
 mod noise;
 mod optics;
