@@ -2,6 +2,7 @@
 
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
+use crate::data::geoid;
 use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::model::spectrum::DirectionalSpectrum;
@@ -48,11 +49,19 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let sample = World::open(&args.data).sample_blocking(lat, lon)?;
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
+    // Elevations are measured from the sea's level, wherever that is drawn.
+    let geoid_m = geoid::height_m(lat, lon);
+    let over_rest_m = |height_m: f64| height_m - state.settings.datum.rest_m(lat, lon);
+    object["geoid_m"] = geoid_m.into();
+    object["elevation_over_geoid_m"] = sample.elevation_m.into();
+    object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
     if let Some(depth_m) = sample.depth_m {
         let mut seas = Seas::default();
         let tables = seas.tables(&state.settings);
         let found = seas.sample(&state.settings, lat, lon, unix_seconds, depth_m);
         let mut surface = serde_json::to_value(found).map_err(json)?;
+        surface["height_over_geoid_m"] = over_rest_m(found.height_m).into();
+        surface["height_over_ellipsoid_m"] = (over_rest_m(found.height_m) + geoid_m).into();
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();
         surface["hs_m"] = tables.sea.hs_m.into();
         surface["tp_s"] = tables.sea.spectrum().peak_period().into();

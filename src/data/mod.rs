@@ -10,6 +10,7 @@
 pub mod city_lights;
 pub mod coast;
 pub mod fetch;
+pub mod geoid;
 pub mod imagery;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod netcdf;

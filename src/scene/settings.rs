@@ -1,5 +1,6 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
+use crate::data::geoid;
 pub use crate::model::sea::SpectrumKind as Spectrum;
 use crate::model::sea_state;
 use crate::scene::layers::{Layer, Layers};
@@ -158,6 +159,29 @@ impl Water {
     }
 }
 
+/// Where the resting sea is, and with it the land, whose heights are measured from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Datum {
+    /// On the ellipsoid WGS84.
+    #[default]
+    Ellipsoid,
+    /// On the geoid EGM96, where the sea really is: -107 to 85 m over the ellipsoid.
+    Geoid,
+}
+
+impl Datum {
+    /// Every datum with its name in links.
+    pub const ALL: [(Self, &'static str); 2] = [(Self::Ellipsoid, "ellipsoid"), (Self::Geoid, "geoid")];
+
+    /// Height of the resting sea over the ellipsoid at geodetic `lat`, `lon` (radians), m.
+    pub fn rest_m(self, lat: f64, lon: f64) -> f64 {
+        match self {
+            Self::Ellipsoid => 0.0,
+            Self::Geoid => geoid::height_m(lat, lon),
+        }
+    }
+}
+
 /// The haziest air that may be chosen: a plume of smoke or dust.
 pub const HAZIEST: f64 = 0.5;
 
@@ -184,6 +208,8 @@ pub struct Settings {
     pub mesh: Mesh,
     /// How fine it is, where it is bisected.
     pub triangles: Triangles,
+    /// Where the resting sea is.
+    pub datum: Datum,
     /// What the picture may cost.
     pub quality: Quality,
     /// What is drawn.
@@ -214,6 +240,7 @@ impl Default for Settings {
             seed: 0,
             mesh: Mesh::default(),
             triangles: Triangles::default(),
+            datum: Datum::default(),
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,

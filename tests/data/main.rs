@@ -5,6 +5,7 @@ mod bake_coast;
 mod camera;
 mod cloud_area;
 mod coast;
+mod geoid;
 mod hostile_coast;
 mod hostile_data;
 mod imagery;

@@ -5,6 +5,7 @@ mod bench;
 mod clouds;
 mod edges;
 mod flight;
+mod geoid;
 mod hidden_window;
 mod horizon;
 mod imagery;

@@ -16,7 +16,7 @@ use crate::scene::link::values::{
     format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
     parse_swell, parse_view, parse_wind,
 };
-use crate::scene::settings::{HAZIEST, Quality, Settings, Spectrum, Water};
+use crate::scene::settings::{Datum, HAZIEST, Quality, Settings, Spectrum, Water};
 use crate::scene::time::SceneTime;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
@@ -25,9 +25,9 @@ use crate::scene::view::state::ViewState;
 pub const LONGEST: usize = 2048;
 
 /// The keys in the order in which they are written.
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "time",
-    "rate", "seed", "mesh", "quality", "layers", "v",
+    "rate", "seed", "mesh", "quality", "datum", "layers", "v",
 ];
 
 impl ViewState {
@@ -46,6 +46,8 @@ impl ViewState {
         self.settings.water_density_per_m = water_density_per_m;
         let mut errors = Vec::new();
         let mut room = LONGEST;
+        // Whether the camera's altitude is still as a link has it.
+        let mut written = false;
         let pairs = text.split('&').map(|pair| pair.trim_start_matches('#'));
         for pair in pairs.filter(|pair| !pair.is_empty()) {
             let Some((key, value)) = our_pair(pair, name) else {
@@ -67,7 +69,11 @@ impl ViewState {
                 errors.push(error);
             } else {
                 last.copy(&key, self);
+                written = if key == MAP_HASH { false } else { written || key == "view" };
             }
+        }
+        if written {
+            self.camera.altitude_m -= self.rest_m(&self.camera);
         }
         errors
     }
@@ -87,6 +93,16 @@ impl ViewState {
             }
         }
         pairs.join("&")
+    }
+
+    /// What a link's altitudes at a camera's place have more than the camera's own, which is over the resting sea, or over the waves, m.
+    fn rest_m(&self, camera: &Camera) -> f64 {
+        if self.ride { 0.0 } else { self.settings.datum.rest_m(camera.lat, camera.lon) }
+    }
+
+    /// A camera as links have it.
+    fn view_text(&self, camera: &Camera) -> String {
+        format_view(camera, |lat, lon| self.rest_m(&Camera { lat, lon, ..*camera }))
     }
 
     /// Sets one key from its decoded value. Notes that do not spoil the pair go to `notes`.
@@ -116,6 +132,7 @@ impl ViewState {
                     parse_mesh(value).ok_or_else(|| bad("give grid or bisect[,pixels[,budget]]"))?;
             }
             "quality" => s.quality = named(&Quality::ALL, value).ok_or_else(|| bad(&names(&Quality::ALL)))?,
+            "datum" => s.datum = named(&Datum::ALL, value).ok_or_else(|| bad(&names(&Datum::ALL)))?,
             "layers" => {
                 let (layers, unknown) = Layers::from_ids(value);
                 s.layers = layers;
@@ -150,6 +167,7 @@ impl ViewState {
             "seed" => to.seed = settings.seed,
             "mesh" => (to.mesh, to.triangles) = (settings.mesh, settings.triangles),
             "quality" => to.quality = settings.quality,
+            "datum" => to.datum = settings.datum,
             _ => {}
         }
     }
@@ -159,7 +177,7 @@ impl ViewState {
         let s = &self.settings;
         let default = Settings::default();
         match key {
-            "view" => Some(format_view(&self.camera)).filter(|text| *text != format_view(&Camera::default())),
+            "view" => Some(self.view_text(&self.camera)).filter(|text| *text != self.view_text(&Camera::default())),
             "ride" => self.ride.then(|| "1".into()),
             "wind" => Some(format_wind(s.wind)).filter(|text| *text != format_wind(default.wind)),
             "bft" => s.beaufort.map(|grade| grade.to_string()),
@@ -176,6 +194,7 @@ impl ViewState {
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),
             "mesh" => (s.mesh != default.mesh).then(|| format_mesh(s.mesh, s.triangles)),
             "quality" => (s.quality != default.quality).then(|| name_of(&Quality::ALL, s.quality)),
+            "datum" => (s.datum != default.datum).then(|| name_of(&Datum::ALL, s.datum)),
             "layers" => Some(s.layers.to_ids()).filter(|ids| !ids.is_empty()),
             _ => None,
         }

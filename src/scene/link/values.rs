@@ -29,18 +29,22 @@ pub fn parse_view(text: &str) -> Option<Camera> {
     ))
 }
 
-/// Writes a camera with as many digits as its height needs: wrong by at most 1/1000 of it, or 1 cm.
-pub fn format_view(camera: &Camera) -> String {
+/// Writes a camera with as many digits as its height over the resting sea needs: wrong by at most 1/1000 of it, or 1 cm. `rest_m` is the
+/// resting sea's height over the ellipsoid at a place (radians), m, as it is in the text.
+pub fn format_view(camera: &Camera, rest_m: impl Fn(f64, f64) -> f64) -> String {
     /// Length of a degree of latitude, metres, rounded up.
     const DEGREE_M: f64 = 111_700.0;
     let altitude_m = camera.altitude_m.clamp(LOWEST_VIEW_M, HIGHEST_VIEW_M);
     // A power of ten: rounding to it never changes which one it is, so writing what was read gives the same text.
     let step_m = 10f64.powf((unseen_m(altitude_m).log10() + 1e-9).floor());
-    let altitude = decimal(altitude_m, (-step_m.log10()).round() as i32);
-    let unseen_deg = unseen_m(altitude.parse().unwrap_or(altitude_m)) / DEGREE_M;
+    let decimals = (-step_m.log10()).round() as i32;
+    let unseen_deg = unseen_m(decimal(altitude_m, decimals).parse().unwrap_or(altitude_m)) / DEGREE_M;
     let digits = (-(2.0 * unseen_deg).log10()).ceil().max(0.0) as i32;
     let lat = decimal(camera.lat.to_degrees(), digits);
     let lon = decimal_deg(camera.lon.to_degrees(), -180.0, digits);
+    let read = |text: &str, exact: f64| text.parse::<f64>().map_or(exact, f64::to_radians);
+    let rest_m = rest_m(read(&lat, camera.lat), read(&lon, camera.lon));
+    let altitude = decimal((altitude_m + rest_m).clamp(LOWEST_VIEW_M, HIGHEST_VIEW_M), decimals);
     let heading = decimal_deg(camera.heading.to_degrees(), 0.0, 2);
     let tilt = decimal(camera.tilt.to_degrees(), 2);
     match (heading.as_str(), tilt.as_str()) {
