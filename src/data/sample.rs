@@ -97,7 +97,8 @@ pub fn sample(
         }
     };
     let elevation_measured_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
-    let relief_made_m = if matches!(class, WaterClass::Land | WaterClass::Island) {
+    let is_dry = matches!(class, WaterClass::Land | WaterClass::Island);
+    let relief_made_m = if is_dry && rugged::is_coarse(terrain.resolution_m) {
         let shores = Shores { ocean_m, lake_m };
         map.relief(point, [terrain.deepest, water_level], (lat, lon), elevation_measured_m, shores)?
     } else {

@@ -10,6 +10,8 @@ mod hostile_coast;
 mod hostile_data;
 mod imagery;
 mod map_tiles;
+mod own_files;
+mod own_world;
 mod relief;
 mod sample;
 mod serve;

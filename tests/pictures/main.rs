@@ -13,6 +13,7 @@ mod light;
 mod luminance;
 mod meshes;
 mod night;
+mod own_world;
 mod relief;
 mod ride;
 mod sheets;

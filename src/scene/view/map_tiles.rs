@@ -139,7 +139,7 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
 /// there is no relief but what the data hold (`model::rugged`). Some way inland beside deep water there may be any.
 pub fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
-    let metres = tiles.elevations_m(id, id.z)?;
+    let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
     let is_deep = || tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
