@@ -46,7 +46,9 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let state = parse_state(&args.state)?;
     let unix_seconds = instant(&state, args.time.as_deref(), unix_now_s())?;
     let (lat, lon) = (lat_deg.to_radians(), lon_deg.to_radians());
-    let sample = World::open(&args.data).sample_blocking(lat, lon)?;
+    let mut world = World::open(&args.data);
+    world.set_beach_slope(state.settings.surf.beach_slope);
+    let sample = world.sample_blocking(lat, lon)?;
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
     // Elevations are measured from the sea's level, wherever that is drawn.

@@ -13,8 +13,8 @@ use crate::scene::link::maplibre;
 use crate::scene::link::number::{clamped, decimal, whole};
 use crate::scene::link::pair::{MAP_HASH, encode, our_pair};
 use crate::scene::link::values::{
-    format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
-    parse_swell, parse_view, parse_wind,
+    format_foam, format_mesh, format_surf, format_swell, format_view, format_water, format_wind, name_of, named, names,
+    parse_foam, parse_mesh, parse_surf, parse_swell, parse_view, parse_water, parse_wind,
 };
 use crate::scene::settings::{Datum, HAZIEST, Quality, Settings, Spectrum, Water};
 use crate::scene::time::SceneTime;
@@ -25,9 +25,9 @@ use crate::scene::view::state::ViewState;
 pub const LONGEST: usize = 2048;
 
 /// The keys in the order in which they are written.
-const KEYS: [&str; 20] = [
-    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "time",
-    "rate", "seed", "mesh", "quality", "datum", "layers", "v",
+const KEYS: [&str; 21] = [
+    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "surf",
+    "time", "rate", "seed", "mesh", "quality", "datum", "layers", "v",
 ];
 
 impl ViewState {
@@ -41,9 +41,7 @@ impl ViewState {
 
     /// As [`ViewState::parse_fragment`], but a bad pair leaves the present value.
     pub fn apply_fragment(&mut self, text: &str, name: Option<&str>) -> Vec<Error> {
-        let water_density_per_m = self.settings.water_density_per_m;
         let mut last = std::mem::take(self);
-        self.settings.water_density_per_m = water_density_per_m;
         let mut errors = Vec::new();
         let mut room = LONGEST;
         // Whether the camera's altitude is still as a link has it.
@@ -121,7 +119,10 @@ impl ViewState {
             "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
             "haze" => s.haze = clamped(value, 0.0..=HAZIEST).ok_or_else(|| bad("give 0 to 0.5"))?,
             "clouds" => s.clouds = clamped(value, 0.0..=1.0).ok_or_else(|| bad("give a cover, 0 to 1"))?,
-            "water" => s.water = named(&Water::ALL, value).ok_or_else(|| bad(&names(&Water::ALL)))?,
+            "water" => {
+                (s.water, s.water_density_per_m) = parse_water(value).ok_or_else(|| bad(&names(&Water::ALL)))?;
+            }
+            "surf" => s.surf = parse_surf(value).ok_or_else(|| bad("give a factor of its width[,beach slope]"))?,
             "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
             "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
             "seed" => {
@@ -161,7 +162,10 @@ impl ViewState {
             "foam" => to.foam = settings.foam,
             "haze" => to.haze = settings.haze,
             "clouds" => to.clouds = settings.clouds,
-            "water" => to.water = settings.water,
+            "water" => {
+                (to.water, to.water_density_per_m) = (settings.water, settings.water_density_per_m);
+            }
+            "surf" => to.surf = settings.surf,
             "time" => self.time = from.time,
             "rate" => self.rate = from.rate,
             "seed" => to.seed = settings.seed,
@@ -188,7 +192,8 @@ impl ViewState {
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
             "haze" => Some(decimal(s.haze, 3)).filter(|text| *text != decimal(default.haze, 3)),
             "clouds" => Some(decimal(s.clouds, 3)).filter(|text| *text != decimal(default.clouds, 3)),
-            "water" => (s.water != default.water).then(|| name_of(&Water::ALL, s.water)),
+            "water" => Some(format_water(s.water, s.water_density_per_m)).filter(|text| text != "auto"),
+            "surf" => Some(format_surf(s.surf)).filter(|text| text != "1"),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),

@@ -1,7 +1,7 @@
 //! The values of the pairs in a link that have parts or names.
 
 use crate::scene::link::number::{clamped, decimal, decimal_deg, finite, whole, wrapped_deg};
-use crate::scene::settings::{Foam, FoamRule, Mesh, Swell, Triangles, Wind};
+use crate::scene::settings::{Foam, FoamRule, Mesh, Surf, Swell, Triangles, USUAL_WATER_DENSITY_PER_M, Water, Wind};
 use crate::scene::view::camera::Camera;
 
 /// Lowest altitude that a link can name, metres: the deepest trench.
@@ -112,6 +112,32 @@ pub fn format_foam(foam: Foam) -> String {
         FoamRule::Folding if lifetime == decimal(Foam::default().lifetime_s, 3) => amount,
         FoamRule::Folding => format!("{amount},{lifetime}"),
     }
+}
+
+/// Reads `kind[,density]`, the density of the water's opacity per metre.
+pub fn parse_water(text: &str) -> Option<(Water, f64)> {
+    let (name, density) = text.split_once(',').map_or((text, None), |(name, density)| (name, Some(density)));
+    let density = density.map_or(Some(USUAL_WATER_DENSITY_PER_M), |density| clamped(density, 0.1..=0.3))?;
+    Some((named(&Water::ALL, name)?, density))
+}
+
+/// Writes water, e.g. `coastal,0.3`; the usual density is left out.
+pub fn format_water(water: Water, density_per_m: f64) -> String {
+    let (name, density) = (name_of(&Water::ALL, water), decimal(density_per_m, 3));
+    if density == decimal(USUAL_WATER_DENSITY_PER_M, 3) { name } else { format!("{name},{density}") }
+}
+
+/// Reads `width[,slope]`.
+pub fn parse_surf(text: &str) -> Option<Surf> {
+    let (width, slope) = text.split_once(',').map_or((text, None), |(width, slope)| (width, Some(slope)));
+    let beach_slope = slope.map_or(Some(Surf::default().beach_slope), |slope| clamped(slope, 0.01..=0.3))?;
+    Some(Surf { width: clamped(width, 0.0..=3.0)?, beach_slope })
+}
+
+/// Writes surf, e.g. `0.5,0.1`; the usual slope is left out.
+pub fn format_surf(surf: Surf) -> String {
+    let [width, slope] = [surf.width, surf.beach_slope].map(|number| decimal(number, 3));
+    if slope == decimal(Surf::default().beach_slope, 3) { width } else { format!("{width},{slope}") }
 }
 
 /// Reads `grid` or `bisect[,pixels[,budget]]`.
