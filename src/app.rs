@@ -161,7 +161,6 @@ impl App {
         let from = self.state.clone();
         let mut to = view.state();
         to.unknown = from.unknown.clone();
-        to.settings.water_density_per_m = from.settings.water_density_per_m;
         to.settings.layers = from.settings.layers;
         self.address.push(&mut *self.page, &from, &to, now_s());
         self.navigator.stop();

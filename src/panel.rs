@@ -17,7 +17,7 @@ use egui::{
 use crate::model::sea_state;
 use crate::scene::layers::Layer;
 use crate::scene::link::number::decimal;
-use crate::scene::settings::{Mesh, Settings, Water};
+use crate::scene::settings::{Datum, Mesh, Settings, Water};
 use crate::scene::view::named::View;
 use crate::scene::view::state::ViewState;
 
@@ -238,6 +238,11 @@ impl Panel {
             self.widgets.note("seed", &seed);
             ui.label("seed");
         });
+        let mut on_geoid = settings.datum == Datum::Geoid;
+        let check = ui.checkbox(&mut on_geoid, "sea on the geoid");
+        self.widgets.note("geoid", &check);
+        check.on_hover_text("Altitudes over the ellipsoid, as GPS has them, with the sea where it really is: up to 107 m below and 85 m above");
+        settings.datum = if on_geoid { Datum::Geoid } else { Datum::Ellipsoid };
         self.mesh(ui, settings);
         ui.horizontal_wrapped(|ui| {
             for (layer, name) in Layer::ALL {

@@ -186,7 +186,8 @@ impl Renderer {
         let side = self.side(frame);
         let covers = frame.uniform.layers & SHOWS_SEA != 0 && !side.kind.under_water;
         let depth_m = opaque_depth_m(f64::from(frame.uniform.water_density));
-        covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m() })
+        let beach_slope = f64::from(frame.uniform.shore.x);
+        covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m(), beach_slope })
     }
 
     /// How wide a cell of the terrain's source is, metres.
@@ -382,6 +383,7 @@ impl Renderer {
     /// the ocean, in the water above its bed.
     pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
         let asked = state.camera;
+        self.world.set_beach_slope(state.settings.surf.beach_slope);
         let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
             return self.seas.eye(state, unix_seconds);
         };

@@ -99,13 +99,13 @@ struct Ground {
     is_lake: bool,
 }
 
-// Agrees with `shaped_elevation` in src/model/sea_bed.rs: a coarse elevation made to agree with a sharp coast.
+// Agrees with `shaped_on` in src/model/sea_bed.rs: a coarse elevation made to agree with a sharp coast.
 fn shaped_elevation(elevation: Metres, ocean_shore: Metres, resolution: Metres) -> Metres {
     let d = abs(ocean_shore);
     if ocean_shore > 0.0 {
         let raw = max(-elevation, 0.0);
-        let depth = mix(min(raw, 0.03 * d), raw, smoothstep(0.0, resolution, d));
-        return -max(depth, min(0.01 * d, mix(30.0, 4.0, smoothstep(0.7 * resolution, 1.3 * resolution, d))));
+        let depth = mix(min(raw, frame.shore.x * d), raw, smoothstep(0.0, resolution, d));
+        return -max(depth, min(frame.shore.x / 3.0 * d, mix(30.0, 4.0, smoothstep(0.7 * resolution, 1.3 * resolution, d))));
     }
     let risen = elevation * smoothstep(0.0, resolution / 3.0, d);
     return select(risen, max(risen, min(0.01 * d, 2.0)), elevation >= 0.0);

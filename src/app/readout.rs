@@ -45,11 +45,12 @@ impl Overlay<'_> {
         let sample = place.and_then(|place| world.sample_resident(place.lat, place.lon));
         let text = place.map_or_else(String::new, |place| described(place, sample));
         outlined(ui, line(2.2), &text);
+        let rest_m = settings.datum.rest_m(self.camera.lat, self.camera.lon);
         let coming = match world.pending() {
             0 => String::new(),
             tiles => format!("  loading {tiles} tiles"),
         };
-        outlined(ui, line(3.2), &format!("eye {}{coming}", height(self.camera.altitude_m)));
+        outlined(ui, line(3.2), &format!("eye {}{coming}", height(self.camera.altitude_m + rest_m)));
         if let Some((metres, points)) = self.scale() {
             draw_scale(ui, line(4.4), metres, points as f32);
         }

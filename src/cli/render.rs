@@ -3,12 +3,16 @@
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
+use glam::DVec2;
 
 use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
+use crate::model::earth::{Ellipsoid, WGS84};
 use crate::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use crate::scene::frame::{Frame, Output};
+use crate::scene::settings::Datum;
+use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
 
 pub mod command;
@@ -90,17 +94,7 @@ pub fn parse_size(text: &str) -> Result<[u32; 2]> {
 /// The first complaint of the fragment's parser.
 pub fn parse_state(text: &str) -> Result<ViewState> {
     let (state, complaints) = ViewState::parse_fragment(text, None);
-    for key in not_drawn(&state) {
-        log::warn!("{key}: kept in links, but this version does not draw it yet");
-    }
     complaints.into_iter().next().map_or(Ok(state), Err)
-}
-
-/// Keys of a state that links carry and this version does not draw.
-fn not_drawn(state: &ViewState) -> Vec<&'static str> {
-    let settings = &state.settings;
-    let keys = [("spectrum", !settings.spectrum.is_drawn())];
-    keys.into_iter().filter(|(_, set)| *set).map(|(key, _)| key).collect()
 }
 
 /// A headless renderer over the world in `data`.
@@ -197,10 +191,29 @@ pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer
         LayerName::Normal | LayerName::Albedo => {
             (3, texels.flat_map(|t| if sky(&t) { [f64::NAN; 3] } else { [t[0], t[1], t[2]] }).collect())
         }
+        LayerName::Height => {
+            let rest = |pixel: u32, height_m: f64| rest_m(&frame.camera, state.settings.datum, size, pixel, height_m);
+            let over_ellipsoid =
+                |(pixel, t): (u32, [f64; 4])| if sky(&t) { f64::NAN } else { t[0] + rest(pixel, t[0]) };
+            (1, (0..).zip(texels).map(over_ellipsoid).collect())
+        }
         _ => (1, texels.map(|t| if sky(&t) { f64::NAN } else { t[0] }).collect()),
     };
     let shape = [size[1] as usize, size[0] as usize, channels];
     Ok(Measured { shape, values, double: layer == LayerName::Lonlat })
+}
+
+/// Height of the resting sea over the ellipsoid at the place that a pixel shows, `height_m` over the resting sea, m.
+fn rest_m(camera: &Camera, datum: Datum, size: [u32; 2], pixel: u32, height_m: f64) -> f64 {
+    if datum == Datum::Ellipsoid {
+        return 0.0;
+    }
+    let at = DVec2::new(f64::from(pixel % size[0]) + 0.5, f64::from(pixel / size[0]) + 0.5);
+    let level = Ellipsoid { a: WGS84.a + height_m, b: WGS84.b + height_m };
+    let hit = camera.unproject_onto(&level, at, DVec2::new(f64::from(size[0]), f64::from(size[1])));
+    let place = hit.and_then(|hit| WGS84.geodetic_from_ecef(hit).ok());
+    // A pixel of the limb may miss: the foot of the eye is as good there.
+    place.map_or_else(|| datum.rest_m(camera.lat, camera.lon), |place| datum.rest_m(place.lat, place.lon))
 }
 
 /// An 8-bit RGBA PNG.

@@ -3,6 +3,7 @@
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
 use crate::data::exposure::{Found, Water};
+use crate::data::geoid;
 use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
 use crate::data::world::World;
@@ -51,9 +52,16 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let unix_seconds = instant(&state, args.time.as_deref(), unix_now_s())?;
     let (lat, lon) = (lat_deg.to_radians(), lon_deg.to_radians());
     let mut world = World::open(&args.data);
+    world.set_beach_slope(state.settings.surf.beach_slope);
     let sample = world.sample_blocking(lat, lon)?;
     let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
     let mut object = serde_json::to_value(sample).map_err(json)?;
+    // Elevations are measured from the sea's level, wherever that is drawn.
+    let geoid_m = geoid::height_m(lat, lon);
+    let over_rest_m = |height_m: f64| height_m - state.settings.datum.rest_m(lat, lon);
+    object["geoid_m"] = geoid_m.into();
+    object["elevation_over_geoid_m"] = sample.elevation_m.into();
+    object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
     let mut seas = Seas::default();
     let tables = seas.tables(&state.settings);
     let mut gains = |seas: &mut Seas, water| {
@@ -69,6 +77,8 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
         let gains = gains(&mut seas, Water::Ocean);
         let found = seas.sample_in(&state.settings, (lat, lon), unix_seconds, depth_m, gains);
         let mut surface = serde_json::to_value(found).map_err(json)?;
+        surface["height_over_geoid_m"] = over_rest_m(found.height_m).into();
+        surface["height_over_ellipsoid_m"] = (over_rest_m(found.height_m) + geoid_m).into();
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();
         surface["hs_m"] = tables.sea.hs_m.into();
         surface["hs_here_m"] = height_m(gains);

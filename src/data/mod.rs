@@ -11,6 +11,7 @@ pub mod city_lights;
 pub mod coast;
 pub mod exposure;
 pub mod fetch;
+pub mod geoid;
 pub mod imagery;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod netcdf;

@@ -1,4 +1,4 @@
-//! netCDF-3 files (CDF-1, CDF-2, CDF-5), read row by row so that a raster of any size takes little memory: the crate `netcdf-reader`
+//! netCDF files (CDF-1, CDF-2, CDF-5, and netCDF-4, which is HDF5), read row by row so that a raster of any size takes little memory: the crate `netcdf-reader`
 //! with this project's errors, which name the file and the remedy.
 
 use crate::error::{Error, Result};
@@ -8,7 +8,7 @@ use std::path::Path;
 /// The largest row read at once, values.
 const LONGEST_ROW: u64 = 1 << 27;
 
-/// An open netCDF-3 file. It must not change while it is open.
+/// An open netCDF file. It must not change while it is open.
 pub struct NetCdf {
     name: String,
     file: NcFile,
@@ -18,19 +18,19 @@ impl NetCdf {
     /// Opens a file and reads its header.
     ///
     /// # Errors
-    /// [`Error::Io`]; [`Error::BadData`] where it is no netCDF-3 file, or broken (netCDF-4 files are HDF5: convert them
-    /// with `nccopy -k classic`).
+    /// [`Error::Io`]; [`Error::BadData`] where it is no netCDF file, or broken, or of a kind of HDF5 that is not read (convert it with `nccopy
+    /// -k classic`).
     pub fn open(path: &Path) -> Result<Self> {
         let name = path.display().to_string();
         let file = NcFile::open(path).map_err(|why| {
             use netcdf_reader::Error::{InvalidMagic, Io, Nc4NotEnabled, UnexpectedEof, UnsupportedVersion};
             let why = match why {
                 Io(why) => return Error::io(&name, why, "check the path and its permissions"),
-                InvalidMagic | UnsupportedVersion(_) | Nc4NotEnabled => "is no netCDF-3 file".to_owned(),
+                InvalidMagic | UnsupportedVersion(_) | Nc4NotEnabled => "is no netCDF file".to_owned(),
                 UnexpectedEof { .. } => "ends within its header".to_owned(),
                 why => why.to_string(),
             };
-            Error::bad_data(&name, why, "give a netCDF-3 file; `nccopy -k classic` makes one of netCDF-4")
+            Error::bad_data(&name, why, "give a netCDF file; `nccopy -k classic` writes another as netCDF-3")
         })?;
         Ok(Self { name, file })
     }

@@ -13,7 +13,7 @@ use crate::model::earth;
 use crate::model::lakes::{self, Lake};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
-use crate::model::sea_bed::shaped_elevation;
+use crate::model::sea_bed::shaped_on;
 
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -48,6 +48,8 @@ pub struct Terrain {
     pub deepest: u8,
     /// The real resolution of its source, metres.
     pub resolution_m: f64,
+    /// How far the bed falls from shores at most, metres per metre.
+    pub beach_slope: f64,
 }
 
 /// A way to get at a tile; `None`: the parent serves.
@@ -100,11 +102,12 @@ pub fn sample(
             _ => WaterClass::Land,
         }
     };
-    let measured_m = shaped_elevation(raw_m, ocean_m, terrain.resolution_m);
+    let measured_m = shaped_on(raw_m, ocean_m, terrain.resolution_m, terrain.beach_slope);
     let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let shaped = |lake: &Lake| lakes::shaped(measured_m, lake_m, lake.level_m, lake.margin_m);
     let elevation_measured_m = lake.map_or(measured_m, shaped);
-    let relief_made_m = if matches!(class, WaterClass::Land | WaterClass::Island) {
+    let is_dry = matches!(class, WaterClass::Land | WaterClass::Island);
+    let relief_made_m = if is_dry && rugged::is_coarse(terrain.resolution_m) {
         let shores = Shores { ocean_m, lake_m };
         map.relief(point, [terrain.deepest, water_level], (lat, lon), elevation_measured_m, shores)?
     } else {

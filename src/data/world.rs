@@ -21,6 +21,7 @@ use super::tile::{Layer, Projection, TileId};
 use super::water::OwnShores;
 use super::{SharedTexels, TileTexels};
 use crate::error::{Error, Result};
+use crate::model::sea_bed::USUAL_SLOPE;
 use answer::{deepest, load, stored};
 use cache::Cache;
 use shores::Unfinished;
@@ -94,6 +95,8 @@ enum Event {
 /// The archives of a world: terrain, water and perhaps imagery, each for Mercator and the two poles.
 pub struct World {
     slots: Vec<Slot>,
+    /// How far the bed falls from shores at most, metres per metre.
+    beach_slope: f64,
     /// Requests without an answer: how often each has been tried.
     pending: HashMap<Key, u32>,
     /// Requests that may start now, coarse tiles first, then in the order of asking.
@@ -144,6 +147,7 @@ impl World {
                     if layer == Layer::Imagery { Slot::unasked(name) } else { Slot::new(name) }
                 })
                 .collect(),
+            beach_slope: USUAL_SLOPE,
             pending: HashMap::new(),
             ready: BinaryHeap::new(),
             waiting: Vec::new(),
@@ -270,6 +274,11 @@ impl World {
         self.slot(layer, projection).archive().map(|archive| deepest(archive))
     }
 
+    /// Sets how far the bed falls from shores at most, metres per metre, in samples to come.
+    pub fn set_beach_slope(&mut self, slope: f64) {
+        self.beach_slope = slope;
+    }
+
     /// The real resolution of an archive's source, metres, once it is open and where it says so.
     pub fn resolution_m(&self, layer: Layer, projection: Projection) -> Option<f64> {
         self.slot(layer, projection).archive()?.metadata().get("resolution_m")?.as_f64().filter(|r| *r > 0.0)
@@ -360,7 +369,8 @@ impl World {
     fn terrain_at(&self, lat: f64) -> Option<Terrain> {
         let projection = Projection::for_latitude(lat);
         let deepest = self.max_zoom(Layer::Terrain, projection)?;
-        Some(Terrain { deepest, resolution_m: self.resolution_m(Layer::Terrain, projection).unwrap_or(0.0) })
+        let resolution_m = self.resolution_m(Layer::Terrain, projection).unwrap_or(0.0);
+        Some(Terrain { deepest, resolution_m, beach_slope: self.beach_slope })
     }
 
     fn slot(&self, layer: Layer, projection: Projection) -> &Slot {

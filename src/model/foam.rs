@@ -8,14 +8,14 @@
 //! # Which folds?
 //! Linear waves fold too often in a gale and hardly ever in a breeze, and the more so the finer the grid: the measured whitecap
 //! fraction fixes the threshold instead. The mean of F over the water's area has no closed form (it needs the durations of
-//! excursions of an eigenvalue), so [`folds`] simulates ∇D at many independent rest points, from the sea's own
+//! excursions of an eigenvalue), so a [`Simulation`] follows ∇D at many independent rest points, from the sea's own
 //! spectrum, and bisects. Each level of the foam map sees what the filters of its textures leave of the waves ([`kept`]) and has a
 //! threshold of its own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
 //! quantile of μ alone (the lifetime multiplies it by three in a gale and by ten in a breeze).
 
 mod thresholds;
 
-pub use thresholds::{INSTANTS, POINTS, SHORTEST_PATCH_TEXELS, Simulation, folds, kept};
+pub use thresholds::{INSTANTS, POINTS, SHORTEST_PATCH_TEXELS, Simulation, kept};
 
 /// E-folding time of a whitecap in salt water, s ([Monahan](crate::bibliography::Monahan1971)); 2.54 s in fresh water.
 pub const LIFETIME_S: f64 = 3.85;

@@ -18,6 +18,7 @@ pub mod geodesic;
 pub mod lace;
 pub mod lakes;
 pub mod lift;
+pub mod modes;
 pub mod moon;
 pub mod moved_water;
 pub mod noise;

@@ -117,6 +117,14 @@ pub fn fade(sin_lat: f64, shores: Shores) -> f64 {
         * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs())
 }
 
+/// Data finer than this, metres, have the mountains' own ridges and valleys, and get none made up. Ours: half of the broadest that are.
+const MEASURED_M: f64 = 2_000.0;
+
+/// Whether elevations of a resolution (metres; 0: not known) leave relief to be made up.
+pub fn is_coarse(resolution_m: f64) -> bool {
+    !(0.0 < resolution_m && resolution_m < MEASURED_M)
+}
+
 /// How far a place is one of islands in a deep sea, 0 to 1: `mean_m` is the mean elevation about it in texels `texel_m` wide, of level
 /// [`ISLAND_LEVEL`]. Beds beside land are kept no deeper than a hundredth of their texels.
 pub fn oceanic(mean_m: f64, texel_m: f64) -> f64 {

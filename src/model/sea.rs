@@ -4,11 +4,13 @@
 //! whatever the spectrum. If a fetch is given, height and peak are those of [JONSWAP's growth](Jonswap::from_fetch) over that fetch, or
 //! over the shorter one that grows the sea fully; Pierson and Moskowitz's and Elfouhaily's then have the peak that their own growth gives
 //! to the height. TMA is the JONSWAP sea *run onto a shelf* of [`SHELF_DEPTH_M`], so that it is lower there. Short waves have the slopes
-//! that [Cox and Munk](crate::bibliography::CoxMunk1954) measured. A swell adds its energy.
+//! that [Cox and Munk](crate::bibliography::CoxMunk1954) measured. A swell adds its energy. Sines and Gerstner waves share out the energy of the
+//! JONSWAP sea.
 
+use super::modes::{self, Mode};
 use super::spectrum::{
     DAMPING_M, Directed, DirectionalSpectrum, Elfouhaily, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain,
-    Tma,
+    TAIL_START, Tma,
 };
 use super::{optics, quadrature::simpson_log, sea_state, spreading::DonelanBanner};
 
@@ -31,9 +33,9 @@ pub enum SpectrumKind {
     Tma,
     /// Elfouhaily and others: one spectrum from swell to ripples.
     Elfouhaily,
-    /// A sum of sines; not drawn yet.
+    /// A sum of sines, see [`modes`](super::modes).
     Sines,
-    /// A sum of Gerstner waves; not drawn yet.
+    /// A sum of Gerstner waves, likewise.
     Gerstner,
 }
 
@@ -49,9 +51,9 @@ impl SpectrumKind {
         (Self::Gerstner, "gerstner"),
     ];
 
-    /// Whether the sea is drawn with this spectrum; one that is not is drawn as JONSWAP's.
-    pub fn is_drawn(self) -> bool {
-        !matches!(self, Self::Sines | Self::Gerstner)
+    /// The wave number in those of the peak from which on a spectrum draws the wind's waves; [`modes`] are the longer ones.
+    pub fn ripples_from(self) -> f64 {
+        if matches!(self, Self::Sines | Self::Gerstner) { TAIL_START } else { 0.0 }
     }
 }
 
@@ -75,7 +77,8 @@ pub struct Sea {
     pub hs_m: f64,
     /// Chooses one sea among the equally likely.
     pub seed: u32,
-    /// λ of the choppy displacement X = x + λD; 0 for none. Does not enter the amplitudes.
+    /// λ of the choppy displacement X = x + λD; 0 for none. Does not enter the amplitudes. [`Sea::new`] lets sines have none, and
+    /// Gerstner waves no more than keeps them from folding.
     pub chop: f64,
     /// The wind sea's spectrum.
     pub kind: SpectrumKind,
@@ -125,7 +128,13 @@ impl Sea {
         if let Some(swell) = swell {
             sea.hs_m = libm::sqrt(sea.hs_m * sea.hs_m + swell.height_m * swell.height_m);
         }
-        Self { swell, ..sea }
+        let mut sea = Self { swell, ..sea };
+        sea.chop = match kind {
+            SpectrumKind::Sines => 0.0,
+            SpectrumKind::Gerstner => chop.min(modes::sharpest_chop(&sea.modes())),
+            _ => chop,
+        };
+        sea
     }
 
     /// Significant height of the wind sea alone, m.
@@ -155,10 +164,21 @@ impl Sea {
         })
     }
 
+    /// The single waves that this wind sea is drawn as; none where a whole spectrum is.
+    pub fn modes(&self) -> Vec<Mode> {
+        modes::modes(self)
+    }
+
+    /// What is drawn of this sea besides its [`Sea::modes`]: its spectrum, of which those leave the swell and the wind's ripples.
+    pub fn drawn_spectrum(&self) -> SeaSpectrum {
+        let spectrum = self.spectrum();
+        SeaSpectrum { wind_from: self.kind.ripples_from() * spectrum.wind.peak_wavenumber(), ..spectrum }
+    }
+
     /// The spectrum of this sea, wind sea and swell. Its significant height is [`Sea::hs_m`].
     pub fn spectrum(&self) -> SeaSpectrum {
         let swell = self.swell.and_then(|s| SwellTrain::new(s.height_m, s.period_s, s.toward, self.depth_m));
-        SeaSpectrum { wind: self.wind_spectrum(), swell, depth_m: self.depth_m }
+        SeaSpectrum { wind: self.wind_spectrum(), wind_from: 0.0, swell, depth_m: self.depth_m }
     }
 
     fn wind_spectrum(&self) -> WindSpectrum {

@@ -56,6 +56,8 @@ impl DirectionalSpectrum for WindSpectrum {
 pub struct SeaSpectrum {
     /// The wind sea.
     pub wind: WindSpectrum,
+    /// The wave number from which on the wind sea has energy, rad/m; 0 for all of it.
+    pub wind_from: f64,
     /// The swell.
     pub swell: Option<SwellTrain>,
     /// Depth of the water, m.
@@ -76,7 +78,8 @@ impl SeaSpectrum {
 
 impl DirectionalSpectrum for SeaSpectrum {
     fn density(&self, kx: f64, ky: f64) -> f64 {
-        let wind = self.wind.density(kx, ky);
+        let is_ripple = self.wind_from <= 0.0 || kx * kx + ky * ky >= self.wind_from * self.wind_from;
+        let wind = if is_ripple { self.wind.density(kx, ky) } else { 0.0 };
         self.swell.map_or(wind, |swell| wind + swell.density(kx, ky))
     }
 
@@ -86,7 +89,7 @@ impl DirectionalSpectrum for SeaSpectrum {
     }
 
     fn omnidirectional(&self, k: f64) -> f64 {
-        let wind = self.wind.omnidirectional(k);
+        let wind = if k >= self.wind_from { self.wind.omnidirectional(k) } else { 0.0 };
         self.swell.map_or(wind, |swell| wind + swell.omnidirectional(k))
     }
 

@@ -32,21 +32,38 @@ pub struct SeaTables {
 impl SeaTables {
     /// The tables of a sea on patches of `n` by `n` samples.
     pub fn new(sea: Sea, n: usize) -> Self {
-        let spectrum = sea.spectrum();
+        let (spectrum, drawn, modes) = (sea.spectrum(), sea.drawn_spectrum(), sea.modes());
         let cascades = waves::cascades(n);
-        let cascade_slopes = std::array::from_fn(|i| slopes_between(&spectrum, cascades[i].k_min, cascades[i].k_max));
-        let below_slopes = slopes_between(&spectrum, cascades[CASCADES - 1].k_max, f64::INFINITY);
-        let chop_level_m = waves::chop_level_m(&spectrum, cascades[CASCADES - 1].k_max, sea.chop);
-        // Of height and of what draws the level down, by patch.
-        let parts = |power: i32| {
-            let part = |c: Cascade| {
-                simpson_log(c.k_min.max(1e-4), c.k_max, 96, |k| k.powi(power) * spectrum.omnidirectional(k))
-            };
-            let parts = cascades.map(part);
-            let all: f64 = parts.iter().sum();
-            parts.map(|part| if all > 0.0 { part / all } else { 0.0 })
+        // Simpson's rule wants no step inside its interval.
+        let parts = |k0: f64, k1: f64| [[k0, k1.min(drawn.wind_from * (1.0 - 1e-12))], [k0.max(drawn.wind_from), k1]];
+        let slopes = |k0, k1| {
+            let [a, b] = parts(k0, k1).map(|[k0, k1]| slopes_between(&drawn, k0, k1));
+            [a[0] + b[0], a[1] + b[1]]
         };
-        let (cascade_shares, cascade_levels) = (parts(0), parts(1));
+        let own = |i: usize| modes.iter().filter(move |mode| mode.cascade == i);
+        let cascade_slopes = std::array::from_fn(|i| {
+            own(i).fold(slopes(cascades[i].k_min, cascades[i].k_max), |sum, mode| {
+                std::array::from_fn(|axis| sum[axis] + mode.wave_vector[axis].powi(2) * mode.variance())
+            })
+        });
+        let k_max = cascades[CASCADES - 1].k_max;
+        let below_slopes = slopes_between(&drawn, k_max, f64::INFINITY);
+        let level: f64 = modes.iter().map(|mode| mode.wavenumber() * mode.variance()).sum();
+        let chop_level_m = waves::chop_level_m(&drawn, k_max, sea.chop) - sea.chop * level;
+        // Of height and of what draws the level down, by patch.
+        let shares = |power: i32| {
+            let between = |[k0, k1]: [f64; 2]| {
+                if k0 >= k1 { 0.0 } else { simpson_log(k0, k1, 96, |k| k.powi(power) * drawn.omnidirectional(k)) }
+            };
+            let all_of = |i: usize| -> f64 {
+                let single: f64 = own(i).map(|mode| mode.wavenumber().powi(power) * mode.variance()).sum();
+                single + parts(cascades[i].k_min.max(1e-4), cascades[i].k_max).map(between).iter().sum::<f64>()
+            };
+            let held: [f64; CASCADES] = std::array::from_fn(all_of);
+            let all: f64 = held.iter().sum();
+            held.map(|part| if all > 0.0 { part / all } else { 0.0 })
+        };
+        let (cascade_shares, cascade_levels) = (shares(0), shares(1));
         let (peak_period_s, perlin) = (spectrum.peak_period(), Octaves::default());
         let mut tables = Self {
             sea,

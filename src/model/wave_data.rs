@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use super::modes::Mode;
 use super::sea_spectrum::SeaSpectrum;
 use super::sea_tables::SeaTables;
 use super::waves::{self, CASCADES, Cascade, Cells, Patch};
@@ -60,6 +61,7 @@ const BATCH: usize = 16;
 pub struct Making {
     cascades: [Cascade; CASCADES],
     spectrum: SeaSpectrum,
+    modes: Vec<Mode>,
     seed: u32,
     /// Where they are to be made: the depth.
     frequencies: Option<(f64, Vec<[u32; 2]>)>,
@@ -81,7 +83,8 @@ impl Making {
         };
         Self {
             cascades: tables.cascades,
-            spectrum: tables.sea.spectrum(),
+            spectrum: tables.sea.drawn_spectrum(),
+            modes: tables.sea.modes(),
             seed: tables.sea.seed,
             frequencies: wanted,
             powers: Default::default(),
@@ -144,9 +147,15 @@ impl Making {
         let (index, patch) = (row / n, Patch::from(&self.cascades[row / n]));
         let mut cells = Cells::new(&self.spectrum, patch);
         let mut made = Row { amplitudes: Vec::with_capacity(n), power: Power::default(), evaluations: 0 };
+        let is_here = |mode: &&Mode| mode.cascade == index && mode.element(n) / n == row % n;
+        let modes: Vec<&Mode> = self.modes.iter().filter(is_here).collect();
         for element in row % n * n..(row % n + 1) * n {
             let energy = cells.energy(element);
-            let h = waves::amplitude(energy, self.seed, index, &patch, element).map(|x| x as f32);
+            let mut h = waves::amplitude(energy, self.seed, index, &patch, element);
+            for mode in modes.iter().filter(|mode| mode.element(n) == element) {
+                h = [h[0] + mode.h0[0], h[1] + mode.h0[1]];
+            }
+            let h = h.map(|x| x as f32);
             made.power.count(patch.wave_vector(element), h);
             made.amplitudes.push(h);
         }

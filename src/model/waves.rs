@@ -86,7 +86,12 @@ pub fn cell_energies(spectrum: &impl DirectionalSpectrum, patch: impl Into<Patch
 /// h0(k) = ½ (ξr + iξi) √E as [re, im], m. Noise is keyed by the signed index, so that a finer grid holds the same waves.
 pub fn initial_amplitudes(sea: &Sea, cascade_index: usize, patch: impl Into<Patch>) -> Vec<[f64; 2]> {
     let patch = patch.into();
-    amplitudes(&cell_energies(&sea.spectrum(), patch), sea.seed, cascade_index, patch)
+    let mut h0 = amplitudes(&cell_energies(&sea.drawn_spectrum(), patch), sea.seed, cascade_index, patch);
+    for mode in sea.modes().iter().filter(|mode| mode.cascade == cascade_index) {
+        let element = mode.element(patch.samples[0]);
+        h0[element] = [h0[element][0] + mode.h0[0], h0[element][1] + mode.h0[1]];
+    }
+    h0
 }
 
 /// As [`initial_amplitudes`] for any energies E, m², one for each element of the patch.
@@ -117,7 +122,7 @@ pub fn angular_frequency((kx, ky): (f64, f64), depth_m: f64) -> f64 {
 
 /// Mean level of the sea under a choppy displacement of λ = `chop`, m: −λ Σ k E over the waves up to `k_max`. Negative, since
 /// the displacement X = x + λD widens the troughs: ⟨ηJ⟩ = λ⟨η∇·D⟩ per area at rest, and ∇·D = −k H. The drawn surface has it
-/// subtracted, so that its mean stays the ellipsoid.
+/// subtracted, so that its mean stays the ellipsoid. Single waves have −λ Σ k a²/2 of their own.
 pub fn chop_level_m(spectrum: &impl DirectionalSpectrum, k_max: f64, chop: f64) -> f64 {
     // No sea has energy below 1e-5 rad/m; 1024 steps of Simpson's rule are good to 1e-6 across a tail's kink.
     -chop * simpson_log(1e-5, k_max, 1024, |k| k * spectrum.omnidirectional(k))

@@ -62,6 +62,11 @@ pub fn show(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
     let lifetime = slider(&mut settings.foam.lifetime_s, 0.1..=60.0, 1).logarithmic(true);
     let lifetime = note(ui, widgets, "foamLifetime", lifetime.suffix(" s").text("foam fades"));
     lifetime.on_hover_text("Time after which a third of a patch of foam is left");
+    let surf = note(ui, widgets, "surfWidth", slider(&mut settings.surf.width, 0.0..=3.0, 2).text("surf"));
+    surf.on_hover_text("How wide the white water before beaches is");
+    let slope = slider(&mut settings.surf.beach_slope, 0.01..=0.3, 3).logarithmic(true).text("beaches fall");
+    let slope = note(ui, widgets, "beachSlope", slope);
+    slope.on_hover_text("Metres of depth for a metre from the shore, where no data tell");
     let mut by_height = settings.foam.rule == FoamRule::Height;
     let rule = ui.checkbox(&mut by_height, "foam on high water");
     widgets.note("foamByHeight", &rule);
@@ -74,10 +79,7 @@ fn spectrum(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
     let combo = ComboBox::from_label("spectrum").width(110.0).selected_text(name(settings.spectrum));
     let combo = combo.show_ui(ui, |ui| {
         for (spectrum, name) in Spectrum::ALL {
-            ui.add_enabled_ui(spectrum.is_drawn(), |ui| {
-                let label = ui.selectable_value(&mut settings.spectrum, spectrum, name);
-                label.on_disabled_hover_text("Kept in the link; drawn as jonswap in this version");
-            });
+            ui.selectable_value(&mut settings.spectrum, spectrum, name);
         }
     });
     widgets.note("spectrum", &combo.response);

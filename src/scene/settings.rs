@@ -1,6 +1,8 @@
 //! The user's choices: wind, sea, quality, layers. Defaults and ranges are those of the link format.
 
+use crate::data::geoid;
 pub use crate::model::sea::SpectrumKind as Spectrum;
+use crate::model::sea_bed::USUAL_SLOPE;
 use crate::model::sea_state;
 use crate::scene::layers::{Layer, Layers};
 
@@ -158,6 +160,44 @@ impl Water {
     }
 }
 
+/// Where waves break on shores.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surf {
+    /// Factor on the depth that waves break in, and so on the width of white water before a beach, 0 to 3; 0: no surf.
+    pub width: f64,
+    /// How far the bed falls from a shore at most, metres per metre, 0.01 to 0.3, where elevations are too coarse to tell.
+    pub beach_slope: f64,
+}
+
+impl Default for Surf {
+    fn default() -> Self {
+        Self { width: 1.0, beach_slope: USUAL_SLOPE }
+    }
+}
+
+/// Where the resting sea is, and with it the land, whose heights are measured from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Datum {
+    /// On the ellipsoid WGS84.
+    #[default]
+    Ellipsoid,
+    /// On the geoid EGM96, where the sea really is: -107 to 85 m over the ellipsoid.
+    Geoid,
+}
+
+impl Datum {
+    /// Every datum with its name in links.
+    pub const ALL: [(Self, &'static str); 2] = [(Self::Ellipsoid, "ellipsoid"), (Self::Geoid, "geoid")];
+
+    /// Height of the resting sea over the ellipsoid at geodetic `lat`, `lon` (radians), m.
+    pub fn rest_m(self, lat: f64, lon: f64) -> f64 {
+        match self {
+            Self::Ellipsoid => 0.0,
+            Self::Geoid => geoid::height_m(lat, lon),
+        }
+    }
+}
+
 /// The haziest air that may be chosen: a plume of smoke or dust.
 pub const HAZIEST: f64 = 0.5;
 
@@ -184,6 +224,10 @@ pub struct Settings {
     pub mesh: Mesh,
     /// How fine it is, where it is bisected.
     pub triangles: Triangles,
+    /// Where waves break on shores.
+    pub surf: Surf,
+    /// Where the resting sea is.
+    pub datum: Datum,
     /// What the picture may cost.
     pub quality: Quality,
     /// What is drawn.
@@ -194,7 +238,7 @@ pub struct Settings {
     pub clouds: f64,
     /// The sea's water.
     pub water: Water,
-    /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3. Not part of a link.
+    /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3.
     pub water_density_per_m: f64,
 }
 
@@ -214,6 +258,8 @@ impl Default for Settings {
             seed: 0,
             mesh: Mesh::default(),
             triangles: Triangles::default(),
+            surf: Surf::default(),
+            datum: Datum::default(),
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,

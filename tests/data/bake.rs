@@ -174,13 +174,13 @@ fn unsuitable_input_is_refused_with_a_remedy_and_leaves_no_archive() {
     let southern_half = small_world::mask_rows(0..90);
     let hdf5 = b"\x89HDF\r\n\x1a\n".to_vec();
     for (name, bad_mask, bytes, part) in [
-        ("text.nc", true, b"no netCDF at all".to_vec(), "is no netCDF-3 file"),
+        ("text.nc", true, b"no netCDF at all".to_vec(), "is no netCDF file"),
         ("hdf5.nc", false, hdf5, "nccopy -k classic"),
         ("header.nc", true, good_mask[..60].to_vec(), "ends within its header"),
         ("cut.nc", true, good_mask[..good_mask.len() / 2].to_vec(), "ends before the values"),
         ("half.nc", true, southern_half, "pole to pole"),
         ("swapped.nc", true, good_elevation, "not as bytes"),
-        ("empty.nc", false, Vec::new(), "is no netCDF-3 file"),
+        ("empty.nc", false, Vec::new(), "is no netCDF file"),
     ] {
         let bad = write(name, &bytes);
         let (mask, elevation) = if bad_mask { (&bad, &elevation) } else { (&mask, &bad) };

@@ -60,7 +60,7 @@ fn what_the_sea_hides_is_deep_ocean() {
     ] {
         let [lat, lon, altitude_m, heading, tilt] = place;
         let camera = Camera::from_degrees(lat, lon, altitude_m, heading, tilt);
-        let hiding = Hiding { depth_m: opaque_depth_m(rho), resolution_m: 9_277.0 };
+        let hiding = Hiding { depth_m: opaque_depth_m(rho), resolution_m: 9_277.0, beach_slope: 0.03 };
         load(&mut streaming, &mut world, &camera);
         let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
         let hidden: Vec<_> = all.iter().filter(|id| !drawn.iter().any(|other| overlap(**id, *other))).collect();
@@ -83,7 +83,7 @@ fn what_the_sea_hides_is_deep_ocean() {
 fn over_the_open_ocean_no_bed_is_drawn_and_under_an_eye_in_it_all_of_it() {
     let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
     let camera = Camera::from_degrees(35.6812, -14.25, 2.0, 262.0, 83.0);
-    let hiding = Hiding { depth_m: opaque_depth_m(0.2), resolution_m: 9_277.0 };
+    let hiding = Hiding { depth_m: opaque_depth_m(0.2), resolution_m: 9_277.0, beach_slope: 0.03 };
     load(&mut streaming, &mut world, &camera);
     let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
     assert!(drawn.is_empty(), "{drawn:?}");

@@ -128,8 +128,12 @@ pub fn coast(folder: &Path) -> BakeArgs {
     BakeArgs { coast, ponds, ..nothing(folder) }
 }
 
-fn nothing(output: &Path) -> BakeArgs {
+/// What bakes nothing yet, on coarse levels.
+pub fn nothing(output: &Path) -> BakeArgs {
     BakeArgs {
+        bed: None,
+        bed_elsewhere_m: -4000.0,
+        bed_zoom: None,
         elevation: None,
         elevation_east_deg: 0.0,
         masks: Vec::new(),

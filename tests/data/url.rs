@@ -2,7 +2,9 @@
 
 use ocean_globe::scene::layers::{Layer, Layers};
 use ocean_globe::scene::link::fragment::LONGEST;
-use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Triangles, Water, Wind};
+use ocean_globe::scene::settings::{
+    Datum, Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Surf, Swell, Triangles, Water, Wind,
+};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::named::VIEWS;
@@ -25,7 +27,6 @@ fn bad(text: &str) {
     kept.apply_fragment(text, None);
     let key = text.split('=').next().unwrap_or_default();
     let mut expected = ViewState::default();
-    expected.settings.water_density_per_m = before.settings.water_density_per_m;
     match key {
         "view" => expected.camera = before.camera,
         "ride" => expected.ride = before.ride,
@@ -38,7 +39,11 @@ fn bad(text: &str) {
         "foam" => expected.settings.foam = before.settings.foam,
         "haze" => expected.settings.haze = before.settings.haze,
         "clouds" => expected.settings.clouds = before.settings.clouds,
-        "water" => expected.settings.water = before.settings.water,
+        "water" => {
+            expected.settings.water = before.settings.water;
+            expected.settings.water_density_per_m = before.settings.water_density_per_m;
+        }
+        "surf" => expected.settings.surf = before.settings.surf,
         "time" => expected.time = before.time,
         "rate" => expected.rate = before.rate,
         "seed" => expected.settings.seed = before.settings.seed,
@@ -47,6 +52,7 @@ fn bad(text: &str) {
             expected.settings.triangles = before.settings.triangles;
         }
         "quality" => expected.settings.quality = before.settings.quality,
+        "datum" => expected.settings.datum = before.settings.datum,
         _ => assert_eq!(key, "v"),
     }
     assert_eq!(kept, expected, "{text} keeps the last good value");
@@ -70,6 +76,8 @@ fn other_than_default() -> ViewState {
             seed: 7,
             mesh: Mesh::Bisect,
             triangles: Triangles { pixels: 8.5, budget: 60_000 },
+            surf: Surf { width: 0.5, beach_slope: 0.1 },
+            datum: Datum::Geoid,
             quality: Quality::High,
             layers,
             haze: 0.15,
@@ -89,13 +97,9 @@ fn every_key_is_written_in_the_order_of_the_table() {
     assert_eq!(
         text,
         "view=35.6812,-14.25,560,120,78&ride=1&wind=13.9@240&bft=7&spectrum=phillips&fetch=300&swell=2.5,14,310\
-         &chop=0.8&foam=0.5,10&haze=0.15&clouds=0.35&water=coastal&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&layers=-sky&later=1"
+         &chop=0.8&foam=0.5,10&haze=0.15&clouds=0.35&water=coastal,0.3&surf=0.5,0.1&time=2026-11-20T12:00:00Z&rate=60&seed=7&mesh=bisect,8.5,60000&quality=high&datum=geoid&layers=-sky&later=1"
     );
-    let mut read = good(&text);
-    // The water's density is the panel's alone.
-    assert_eq!(read.settings.water_density_per_m, Settings::default().water_density_per_m);
-    read.settings.water_density_per_m = 0.3;
-    assert_eq!(read, other_than_default());
+    assert_eq!(good(&text), other_than_default());
 }
 
 #[test]
@@ -104,8 +108,8 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
     assert_eq!(state.format_fragment(None), "");
     assert_eq!(good(""), state);
     assert_eq!(good("#"), state);
-    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0.45&water=auto&time=now&rate=1&seed=0\
-                 &quality=auto&v=1&layers=";
+    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0.45&water=auto&surf=1,0.03&time=now&rate=1&seed=0\
+                 &quality=auto&datum=ellipsoid&v=1&layers=";
     assert_eq!(good(table), state);
     let s = state.settings;
     assert!(s.beaufort.is_none() && s.fetch_km.is_none() && s.swell.is_none());
@@ -244,8 +248,6 @@ fn a_bad_pair_is_reported_and_leaves_the_last_good_value() {
 fn applying_a_link_sets_what_it_does_not_name_to_the_default() {
     let mut state = other_than_default();
     assert!(state.apply_fragment("seed=9", None).is_empty());
-    assert_eq!(state.settings.water_density_per_m, 0.3, "not part of a link");
-    state.settings.water_density_per_m = 0.2;
     assert_eq!(state, good("seed=9"));
 }
 

@@ -2,7 +2,7 @@
 
 use ocean_globe::scene::layers::{Layer, Layers};
 use ocean_globe::scene::link::fragment::LONGEST;
-use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Swell, Water, Wind};
+use ocean_globe::scene::settings::{Foam, FoamRule, Mesh, Quality, Settings, Spectrum, Surf, Swell, Water, Wind};
 use ocean_globe::scene::time::{FIRST_S, LAST_S, SceneTime};
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::state::ViewState;
@@ -65,11 +65,13 @@ fn ten_thousand_hostile_fragments_leave_a_valid_state() {
         "haze",
         "clouds",
         "water",
+        "surf",
         "time",
         "rate",
         "seed",
         "mesh",
         "quality",
+        "datum",
         "layers",
         "v",
         "",
@@ -218,7 +220,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
     let settings = (
         (wind, proptest::option::of(0u8..=12), 0usize..7, proptest::option::of(1.0..=5000.0)),
         (proptest::option::of(swell), 0.0..=2.0, foam, any::<u32>()),
-        (0usize..2, 0usize..5, layers, (0u16..=500, 0u16..=1000), 0usize..7),
+        (0usize..2, 0usize..5, layers, (0u16..=500, 0u16..=1000), (0usize..7, 100u16..=300, 0u16..=3000, 10u16..=300)),
     );
     let settings =
         settings.prop_map(|((wind, beaufort, spectrum, fetch_km), (swell, chop, foam, seed), rest)| Settings {
@@ -235,7 +237,9 @@ fn any_state() -> impl Strategy<Value = ViewState> {
             layers: rest.2,
             haze: f64::from(rest.3.0) / 1000.0,
             clouds: f64::from(rest.3.1) / 1000.0,
-            water: Water::ALL[rest.4].0,
+            water: Water::ALL[rest.4.0].0,
+            water_density_per_m: f64::from(rest.4.1) / 1000.0,
+            surf: Surf { width: f64::from(rest.4.2) / 1000.0, beach_slope: f64::from(rest.4.3) / 1000.0 },
             ..Settings::default()
         });
     let time = proptest::option::of(FIRST_S..=LAST_S).prop_map(|at| at.map_or(SceneTime::Now, SceneTime::At));
@@ -282,6 +286,7 @@ proptest! {
         }
         prop_assert_eq!((s.beaufort, s.spectrum, s.seed, s.haze, s.water), (t.beaufort, t.spectrum, t.seed, t.haze, t.water));
         prop_assert_eq!(s.clouds, t.clouds);
+        prop_assert_eq!((s.water_density_per_m, s.surf), (t.water_density_per_m, t.surf));
         prop_assert_eq!((s.mesh, s.quality, s.layers, state.ride), (t.mesh, t.quality, t.layers, read.ride));
         prop_assert!((state.rate - read.rate).abs() <= 5e-7 + 1e-9);
         match (state.time, read.time) {

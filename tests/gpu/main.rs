@@ -19,6 +19,7 @@ mod furnace;
 mod glitter;
 mod gusts;
 mod kernel;
+mod modes;
 mod plants;
 mod pool;
 mod precision;

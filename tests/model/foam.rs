@@ -45,14 +45,18 @@ fn foam_does_not_depend_on_the_frame_rate() {
 fn thresholds_rise_with_the_foam_that_is_wanted() {
     let sea = waves::Sea::from_wind(12.0, 0, 1.0);
     let (spectrum, patches) = (sea.spectrum(), waves::cascades(256));
-    let folds = |wanted| foam::folds(&spectrum, &patches, 1.0, [0.25, 2.25], [0.2, 1.0], wanted, LIFETIME_S);
+    let texels_m = [0.25, 2.25];
+    let folds_of = |wanted, lifetime_s| {
+        foam::Simulation::new(&spectrum, &patches, texels_m).folds(1.0, [0.2, 1.0], wanted, lifetime_s)
+    };
+    let folds = |wanted| folds_of(wanted, LIFETIME_S);
     let by_share = [0.001, 0.01, 0.03, 0.1].map(folds);
     for pair in by_share.windows(2) {
         assert!((0..2).all(|level| pair[0][level].threshold < pair[1][level].threshold), "{pair:?}");
     }
     assert_eq!(folds(0.0), [Fold::NEVER; 2]);
     // Foam that lives longer needs fewer crests that break.
-    let long = foam::folds(&spectrum, &patches, 1.0, [0.25, 2.25], [0.2, 1.0], 0.03, 10.0);
+    let long = folds_of(0.03, 10.0);
     assert!((0..2).all(|level| long[level].threshold < by_share[2][level].threshold));
 }
 

@@ -10,6 +10,7 @@ mod geodesy;
 mod lakes;
 mod mistakes;
 mod mistakes_surface;
+mod modes;
 mod moon;
 mod noise;
 mod optics;

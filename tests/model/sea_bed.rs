@@ -1,6 +1,6 @@
 //! The shape of the ground at a coast, by its definition's corners.
 
-use ocean_globe::model::sea_bed::{shaped_elevation, smoothstep};
+use ocean_globe::model::sea_bed::{shaped_elevation, shaped_on, smoothstep};
 use proptest::prelude::*;
 
 /// Width of a grid cell, m.
@@ -43,4 +43,18 @@ proptest! {
         // Continuous at the shore: a step of 1 mm changes the ground by far less than 1 m even in a 10 m cell.
         prop_assert!(shaped_elevation(elevation, 1e-3, r).abs() < 0.01 && shaped_elevation(elevation, -1e-3, r).abs() < 0.01);
     }
+}
+
+#[test]
+fn beaches_fall_as_the_user_says() {
+    for slope in [0.01, 0.03, 0.1, 0.3] {
+        // Close to the shore of a deep coarse bed: the cell's own depth counts as the smooth step has it, 3 t².
+        let t = 100.0 / R;
+        let wanted = slope * 100.0 + (3000.0 - slope * 100.0) * t * t * (3.0 - 2.0 * t);
+        assert!((shaped_on(-3000.0, 100.0, R, slope) + wanted).abs() < 1e-9, "{slope}");
+        assert_eq!(shaped_on(-3000.0, 1.5 * R, R, slope), -3000.0, "where the grid is trusted it stays");
+    }
+    // Where the grid takes the water for land, a third of the slope.
+    assert!((shaped_on(5.0, 90.0, R, 0.1) + 3.0).abs() < 1e-12);
+    assert_eq!(shaped_on(-50.0, 1000.0, R, 0.03), shaped_elevation(-50.0, 1000.0, R));
 }

@@ -5,6 +5,7 @@
 //! below sea level far from the ocean stays as it is.
 
 use super::mask::{MIXED, Raster};
+use super::terrain::Ground;
 use crate::data::netcdf::NetCdf;
 use crate::data::water::WaterClass;
 use crate::error::{Error, Result};
@@ -40,6 +41,28 @@ pub struct Elevation {
     west_deg: f64,
     /// Distance between nodes, degrees.
     pub step_deg: f64,
+}
+
+/// The grid, and the mask that it has been separated by.
+pub struct Separated<'a> {
+    /// The grid.
+    pub elevation: Elevation,
+    /// The mask.
+    pub mask: &'a Raster,
+}
+
+impl Ground for Separated<'_> {
+    fn at(&self, lat_deg: f64, lon_deg: f64, ocean: bool) -> f32 {
+        self.elevation.at(lat_deg, lon_deg, ocean)
+    }
+
+    fn is_ocean(&self, lat_deg: f64, lon_deg: f64) -> bool {
+        self.mask.class(lat_deg, lon_deg) == WaterClass::Ocean as u8
+    }
+
+    fn step_deg(&self) -> f64 {
+        self.elevation.step_deg
+    }
 }
 
 impl Elevation {

@@ -164,6 +164,12 @@ pub struct Raster {
 }
 
 impl Raster {
+    /// A world of nothing but ocean, in cells of a degree.
+    pub fn of_ocean() -> Self {
+        let cells = vec![WaterClass::Ocean as u8; 360 * 180];
+        Self { cells, width: 360, west_deg: -179.5, south_deg: -89.5, step_deg: 1.0 }
+    }
+
     /// The column nearest to a longitude (degrees).
     pub fn column(&self, lon_deg: f64) -> usize {
         let columns = ((lon_deg - self.west_deg) / self.step_deg).round() as i64;

@@ -88,7 +88,8 @@ fn read_polygons(path: &Path) -> Result<Vec<Shoreline>> {
     Ok(lines)
 }
 
-fn shoreline(level: Level, ring: &[[f64; 2]]) -> Shoreline {
+/// A ring of longitudes and latitudes, degrees, as a shoreline.
+pub fn shoreline(level: Level, ring: &[[f64; 2]]) -> Shoreline {
     let mut points: Vec<_> = ring.iter().map(|[lon, lat]| place(*lon, *lat)).collect();
     points.dedup();
     while points.len() > 1 && points.first() == points.last() {

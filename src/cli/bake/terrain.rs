@@ -1,11 +1,8 @@
-//! The terrain pyramids: elevation tiles from the two fields of [`Elevation`].
+//! The terrain pyramids: elevation tiles of a [`Ground`].
 
-use super::elevation::Elevation;
-use super::mask::Raster;
 use crate::data::pmtiles::write::ArchiveWriter;
 use crate::data::terrarium;
 use crate::data::tile::{Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
-use crate::data::water::WaterClass;
 use crate::error::Result;
 use rayon::prelude::*;
 
@@ -15,6 +12,28 @@ const BATCH: usize = 64;
 const MAX_SAMPLES: usize = 16;
 /// Texels of one row with one neighbour on each side.
 const PADDED: usize = TILE_TEXELS + 2;
+
+/// Where the ground lies.
+pub trait Ground: Sync {
+    /// Elevation at a place (degrees), of the sea's bed or of the land, metres.
+    fn at(&self, lat_deg: f64, lon_deg: f64, ocean: bool) -> f32;
+
+    /// Whether the ocean is there.
+    fn is_ocean(&self, lat_deg: f64, lon_deg: f64) -> bool;
+
+    /// How far its values are apart, degrees.
+    fn step_deg(&self) -> f64;
+
+    /// Whether all that lies within so many degrees of a place is as it is there, so that one look at it tells the mean.
+    fn is_level(&self, _lat_deg: f64, _lon_deg: f64, _within_deg: f64) -> bool {
+        false
+    }
+
+    /// Whether a tile below the first level has any of it.
+    fn reaches(&self, _tile: TileId) -> bool {
+        true
+    }
+}
 
 /// How deep, and where.
 pub struct Depth {
@@ -30,8 +49,7 @@ pub struct Depth {
 pub fn add_tiles(
     writer: &mut ArchiveWriter,
     projection: Projection,
-    elevation: &Elevation,
-    mask: &Raster,
+    ground: &dyn Ground,
     depth: &Depth,
     mut progress: impl FnMut(u8, usize, usize),
 ) -> Result<()> {
@@ -40,11 +58,11 @@ pub fn add_tiles(
         let mut next = Vec::new();
         for (batch, tiles) in level.chunks(BATCH).enumerate() {
             let worth_m = (z > depth.full_zoom).then_some(depth.worth_m);
-            let made: Vec<_> = tiles.par_iter().map(|tile| terrain_tile(*tile, elevation, mask, worth_m)).collect();
+            let made: Vec<_> = tiles.par_iter().map(|tile| terrain_tile(*tile, ground, worth_m)).collect();
             for (tile, bytes) in tiles.iter().zip(made) {
                 if let Some(bytes) = bytes? {
                     writer.add(z, tile.x, tile.y, &bytes)?;
-                    next.extend(tile.children().into_iter().flatten());
+                    next.extend(tile.children().into_iter().flatten().filter(|child| ground.reaches(*child)));
                 }
             }
             progress(z, (batch * BATCH + tiles.len()).min(level.len()), level.len());
@@ -55,10 +73,10 @@ pub fn add_tiles(
 }
 
 /// The PNG of a tile; with `worth_m`, `None` where it has no shore or adds less than that to its parent.
-fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, worth_m: Option<f64>) -> Result<Option<Vec<u8>>> {
+fn terrain_tile(tile: TileId, ground: &dyn Ground, worth_m: Option<f64>) -> Result<Option<Vec<u8>>> {
     // Texel centres with one neighbour on each side; degrees and whether the ocean is there.
     let places: Vec<_> = (0..PADDED * PADDED)
-        .map(|at| place(tile, (at % PADDED) as f64 - 1.0, (at / PADDED) as f64 - 1.0, mask))
+        .map(|at| place(tile, (at % PADDED) as f64 - 1.0, (at / PADDED) as f64 - 1.0, ground))
         .collect();
     if worth_m.is_some() && places.iter().all(|place| place.2 == places[0].2) {
         return Ok(None);
@@ -69,15 +87,16 @@ fn terrain_tile(tile: TileId, elevation: &Elevation, mask: &Raster, worth_m: Opt
             let at = (row + 1) * PADDED + column + 1;
             let (lat_deg, lon_deg, ocean) = places[at];
             let texel_m = texel_size_m(tile.projection, tile.z, lat_deg.to_radians());
-            let samples = ((texel_m / (elevation.step_deg * 111_300.0)).round() as usize).clamp(1, MAX_SAMPLES);
+            let samples = ((texel_m / (ground.step_deg() * 111_300.0)).round() as usize).clamp(1, MAX_SAMPLES);
+            let samples = if ground.is_level(lat_deg, lon_deg, texel_m / 111_300.0) { 1 } else { samples };
             let mut mean = 0.0;
             for i in 0..samples * samples {
                 let offset = |i: usize| (i as f64 + 0.5) / samples as f64 - 0.5;
                 let (lat_deg, lon_deg, ocean) = match samples {
                     1 => (lat_deg, lon_deg, ocean),
-                    _ => place(tile, column as f64 + offset(i % samples), row as f64 + offset(i / samples), mask),
+                    _ => place(tile, column as f64 + offset(i % samples), row as f64 + offset(i / samples), ground),
                 };
-                mean += elevation.at(lat_deg, lon_deg, ocean);
+                mean += ground.at(lat_deg, lon_deg, ocean);
             }
             mean /= (samples * samples) as f32;
             // Interpolation between an ocean texel and the land beside it must not draw the land below the sea: next to
@@ -118,12 +137,12 @@ fn detail_m(metres: &[f32]) -> f64 {
 }
 
 /// (latitude, longitude, is ocean) at a place in texels from the centre of the tile's first texel; degrees.
-fn place(tile: TileId, column: f64, row: f64, mask: &Raster) -> (f64, f64, bool) {
+fn place(tile: TileId, column: f64, row: f64, ground: &dyn Ground) -> (f64, f64, bool) {
     let (x, y) = tile.texel_centre(column, row);
     let y = if tile.projection == Projection::Mercator { y.clamp(0.0, 1.0) } else { y };
     let (lat, lon) = lat_lon_from_map(tile.projection, x, y);
     let (lat_deg, lon_deg) = (lat.to_degrees(), lon.to_degrees());
-    (lat_deg, lon_deg, mask.class(lat_deg, lon_deg) == WaterClass::Ocean as u8)
+    (lat_deg, lon_deg, ground.is_ocean(lat_deg, lon_deg))
 }
 
 /// Metres in steps of at most 1/16 of the height: half a metre within 2 m of sea level, 1 m to 32 m, then doubling up

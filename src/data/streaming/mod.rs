@@ -11,6 +11,7 @@ pub use tile_range::{Range, TileRange};
 use super::SharedTexels;
 use super::tile::{Layer, MapPoint, Projection, TileId};
 use super::world::{Outcome, World};
+use crate::model::rugged;
 use residency::Residency;
 
 /// Slots of each atlas; WebGPU promises 256 layers. 48 MiB each.
@@ -33,6 +34,8 @@ pub struct Streaming {
     changed: bool,
     /// Deepest levels of the archives by layer and map; 0 before they are open.
     deepest: [[u8; 3]; Layer::COUNT],
+    /// Whether elevations are so coarse that relief is made up between them.
+    is_coarse: bool,
     /// Where shaders find the tiles.
     pub pages: PageTable,
 }
@@ -40,15 +43,29 @@ pub struct Streaming {
 impl Default for Streaming {
     fn default() -> Self {
         let layers = Layer::ALL.map(|layer| Residency::new(layer, ATLAS_SLOTS));
-        Self { layers, frame: 0, changed: true, deepest: [[0; 3]; Layer::COUNT], pages: PageTable::new() }
+        Self {
+            layers,
+            frame: 0,
+            changed: true,
+            deepest: [[0; 3]; Layer::COUNT],
+            is_coarse: true,
+            pages: PageTable::new(),
+        }
     }
 }
 
 impl Streaming {
+    /// Whether elevations are so coarse that relief is made up between them.
+    pub fn is_coarse(&self) -> bool {
+        self.is_coarse
+    }
+
     /// Begins a frame: takes what has arrived. The tiles of the frame before stay.
     pub fn receive(&mut self, world: &mut World) -> Vec<Upload> {
         self.frame += 1;
         self.deepest = Layer::ALL.map(|layer| Projection::ALL.map(|map| world.max_zoom(layer, map).unwrap_or(0)));
+        let resolution_m = world.resolution_m(Layer::Terrain, Projection::Mercator);
+        self.is_coarse = resolution_m.is_none_or(rugged::is_coarse);
         let mut uploads = Vec::new();
         for arrival in world.poll() {
             let (layer, id) = (arrival.layer, arrival.id);

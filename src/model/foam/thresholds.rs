@@ -5,6 +5,7 @@
 //! point, and any part of its points gives an estimate.
 
 use super::{Fold, GROWTH_S};
+use crate::model::modes::{self, Mode};
 use crate::model::{cascade::Cascade, dispersion, noise, spectrum::DirectionalSpectrum};
 
 /// Independent rest points.
@@ -31,6 +32,8 @@ const SECTOR: f64 = std::f64::consts::PI / 12.0;
 struct Component<const N: usize> {
     gradient: [[f32; N]; 3],
     omega: f64,
+    /// Whether its amplitude is always the same, and only its phase random.
+    is_single: bool,
 }
 
 /// ∇D of a level at an instant: its smaller eigenvalue, its trace and its determinant.
@@ -85,31 +88,25 @@ pub fn kept(patch: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
     (1.0 - part) * at_mip(libm::floor(lod)) + part * at_mip(libm::floor(lod) + 1.0)
 }
 
-/// Where the levels with texels of `texels_m` (increasing, m) break, such that the mean of F over the water's area is `wanted`
-/// (0…1) for a lifetime in seconds; `patches` hold the waves. `softness` is in root mean squares of the level's own μ. A level whose
-/// waves are all too short for it gets [`Fold::NEVER`].
-pub fn folds<const N: usize>(
-    spectrum: &dyn DirectionalSpectrum,
-    patches: &[Cascade],
-    chop: f64,
-    texels_m: [f64; N],
-    softness: [f64; N],
-    wanted: f64,
-    lifetime_s: f64,
-) -> [Fold; N] {
-    if wanted <= 0.0 {
-        return [Fold::NEVER; N];
-    }
-    let mut simulation = Simulation::new(spectrum, patches, texels_m);
-    simulation.advance(POINTS);
-    std::array::from_fn(|level| simulation.fold(level, POINTS, chop, softness[level], wanted, lifetime_s))
-}
-
 impl<const N: usize> Simulation<N> {
-    /// The simulation of a sea, still without any point.
+    /// The simulation of a sea's waves as levels with texels of `texels_m` (increasing, m) see them, still without any point;
+    /// `patches` hold the waves.
     pub fn new(spectrum: &dyn DirectionalSpectrum, patches: &[Cascade], texels_m: [f64; N]) -> Self {
         let empty = |_| Series { gradients: Vec::with_capacity(POINTS * INSTANTS), lowest: Vec::with_capacity(POINTS) };
         Self { waves: components(spectrum, patches, texels_m), levels: std::array::from_fn(empty) }
+    }
+
+    /// The simulation with single waves besides those of the spectrum.
+    pub fn with_modes(mut self, modes: &[Mode], patches: &[Cascade], texels_m: [f64; N]) -> Self {
+        self.waves.extend(modes.iter().map(|mode| {
+            let ([x, y], k) = (mode.wave_vector, mode.wavenumber());
+            // −kx²/k of a wave of the same variance as each of the others, a²/2.
+            let parts = [x * x, y * y, x * y].map(|part| -part / k * libm::sqrt(mode.variance()));
+            let seen = texels_m.map(|texel_m| kept(&patches[mode.cascade], texel_m, x, y));
+            let gradient = parts.map(|part| seen.map(|seen| (part * seen) as f32));
+            Component { gradient, omega: modes::frequency(mode), is_single: true }
+        }));
+        self
     }
 
     /// Simulates at most `points` more rest points, up to [`POINTS`]. Returns the steps that waves were moved on by.
@@ -120,12 +117,23 @@ impl<const N: usize> Simulation<N> {
         (to - from) * INSTANTS * self.waves.len()
     }
 
+    /// Where the levels break, by all points, such that the mean of F over the water's area is `wanted` (0…1) for a lifetime in
+    /// seconds. `softness` is in root mean squares of the level's own μ. A level whose waves are all too short for it gets
+    /// [`Fold::NEVER`].
+    pub fn folds(mut self, chop: f64, softness: [f64; N], wanted: f64, lifetime_s: f64) -> [Fold; N] {
+        if wanted <= 0.0 {
+            return [Fold::NEVER; N];
+        }
+        self.advance(POINTS);
+        std::array::from_fn(|level| self.fold(level, POINTS, chop, softness[level], wanted, lifetime_s))
+    }
+
     /// How many points have been simulated.
     pub fn points(&self) -> usize {
         self.levels.first().map_or(POINTS, |level| level.lowest.len())
     }
 
-    /// Where a level breaks, as [`folds`], by the first `points` of those that have been simulated.
+    /// Where a level breaks, as [`Simulation::folds`], by the first `points` of those that have been simulated.
     pub fn fold(&self, level: usize, points: usize, chop: f64, softness: f64, wanted: f64, lifetime_s: f64) -> Fold {
         let points = points.min(self.points());
         let Series { gradients, lowest } = &self.levels[level];
@@ -188,7 +196,7 @@ fn components<const N: usize>(
             // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
             let gradient =
                 [cos * cos, sin * sin, sin * cos].map(|part| seen.map(|seen| (-part * libm::sqrt(seen)) as f32));
-            waves.push(Component { gradient, omega });
+            waves.push(Component { gradient, omega, is_single: false });
         }
     }
     waves
@@ -205,7 +213,11 @@ fn simulate<const N: usize>(point: usize, waves: &[Component<N>], levels: &mut [
             let [jitter, _] = noise::bits(1, 2_000, point as i32, index as i32);
             let omega = wave.omega * (0.85 + 0.3 * (jitter >> 11) as f64 / (1u64 << 53) as f64);
             let (sin, cos) = libm::sincos(-omega * STEP_S);
-            let amplitude = noise::gaussian_pair(0, 2_000, point as i32, index as i32);
+            let mut amplitude = noise::gaussian_pair(0, 2_000, point as i32, index as i32);
+            if wave.is_single {
+                let to_unit = std::f64::consts::SQRT_2 / libm::hypot(amplitude[0], amplitude[1]).max(f64::MIN_POSITIVE);
+                amplitude = amplitude.map(|x| to_unit * x);
+            }
             (amplitude.map(|x| x as f32), [cos as f32, sin as f32])
         })
         .collect();

@@ -330,6 +330,8 @@ gpu_struct! {
         /// Waves that break on shores: their period, s, how many have come by now, up to 4096; their height over the depth that they break in; in
         /// how many seconds their white water fades.
         surf: Vec4 = "vec4f",
+        /// How far the bed falls from a shore at most, metres per metre; the rest is 0.
+        shore: Vec4 = "vec4f",
         /// Patch lengths of the cascades, metres.
         patches: Vec4 = "vec4f",
         /// Spacings of their lattices.

@@ -25,7 +25,10 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_
     // Seas of the wind have a steepness of about 0.04; the shortest waves that are seen to break take two seconds.
     let period_s = (4.0 * libm::sqrt(sea.sea.hs_m)).max(2.0);
     let come = (unix_seconds / period_s).rem_euclid(4096.0);
-    u.surf = DVec4::new(period_s, come, SURF_BREAKS, model::foam::LIFETIME_S).as_vec4();
+    // On a plane beach the width of the surf is the depth that waves break in over the slope.
+    let breaks = SURF_BREAKS / settings.surf.width.max(1e-3);
+    u.surf = DVec4::new(period_s, come, breaks, model::foam::LIFETIME_S).as_vec4();
+    u.shore.x = settings.surf.beach_slope as f32;
     let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
     let height = spray::scale_height_m(sea.sea.hs_m);
     u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();

@@ -13,10 +13,10 @@ use crate::scene::link::maplibre;
 use crate::scene::link::number::{clamped, decimal, whole};
 use crate::scene::link::pair::{MAP_HASH, encode, our_pair};
 use crate::scene::link::values::{
-    format_foam, format_mesh, format_swell, format_view, format_wind, name_of, named, names, parse_foam, parse_mesh,
-    parse_swell, parse_view, parse_wind,
+    format_foam, format_mesh, format_surf, format_swell, format_view, format_water, format_wind, name_of, named, names,
+    parse_foam, parse_mesh, parse_surf, parse_swell, parse_view, parse_water, parse_wind,
 };
-use crate::scene::settings::{HAZIEST, Quality, Settings, Spectrum, Water};
+use crate::scene::settings::{Datum, HAZIEST, Quality, Settings, Spectrum, Water};
 use crate::scene::time::SceneTime;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
@@ -25,9 +25,9 @@ use crate::scene::view::state::ViewState;
 pub const LONGEST: usize = 2048;
 
 /// The keys in the order in which they are written.
-const KEYS: [&str; 19] = [
-    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "time",
-    "rate", "seed", "mesh", "quality", "layers", "v",
+const KEYS: [&str; 21] = [
+    "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "surf",
+    "time", "rate", "seed", "mesh", "quality", "datum", "layers", "v",
 ];
 
 impl ViewState {
@@ -41,11 +41,11 @@ impl ViewState {
 
     /// As [`ViewState::parse_fragment`], but a bad pair leaves the present value.
     pub fn apply_fragment(&mut self, text: &str, name: Option<&str>) -> Vec<Error> {
-        let water_density_per_m = self.settings.water_density_per_m;
         let mut last = std::mem::take(self);
-        self.settings.water_density_per_m = water_density_per_m;
         let mut errors = Vec::new();
         let mut room = LONGEST;
+        // Whether the camera's altitude is still as a link has it.
+        let mut written = false;
         let pairs = text.split('&').map(|pair| pair.trim_start_matches('#'));
         for pair in pairs.filter(|pair| !pair.is_empty()) {
             let Some((key, value)) = our_pair(pair, name) else {
@@ -67,7 +67,11 @@ impl ViewState {
                 errors.push(error);
             } else {
                 last.copy(&key, self);
+                written = if key == MAP_HASH { false } else { written || key == "view" };
             }
+        }
+        if written {
+            self.camera.altitude_m -= self.rest_m(&self.camera);
         }
         errors
     }
@@ -89,6 +93,16 @@ impl ViewState {
         pairs.join("&")
     }
 
+    /// What a link's altitudes at a camera's place have more than the camera's own, which is over the resting sea, or over the waves, m.
+    fn rest_m(&self, camera: &Camera) -> f64 {
+        if self.ride { 0.0 } else { self.settings.datum.rest_m(camera.lat, camera.lon) }
+    }
+
+    /// A camera as links have it.
+    fn view_text(&self, camera: &Camera) -> String {
+        format_view(camera, |lat, lon| self.rest_m(&Camera { lat, lon, ..*camera }))
+    }
+
     /// Sets one key from its decoded value. Notes that do not spoil the pair go to `notes`.
     fn set(&mut self, key: &str, value: &str, notes: &mut Vec<Error>) -> Result<(), Error> {
         let bad = |remedy: &str| Error::bad_value(key, value, remedy);
@@ -105,7 +119,10 @@ impl ViewState {
             "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
             "haze" => s.haze = clamped(value, 0.0..=HAZIEST).ok_or_else(|| bad("give 0 to 0.5"))?,
             "clouds" => s.clouds = clamped(value, 0.0..=1.0).ok_or_else(|| bad("give a cover, 0 to 1"))?,
-            "water" => s.water = named(&Water::ALL, value).ok_or_else(|| bad(&names(&Water::ALL)))?,
+            "water" => {
+                (s.water, s.water_density_per_m) = parse_water(value).ok_or_else(|| bad(&names(&Water::ALL)))?;
+            }
+            "surf" => s.surf = parse_surf(value).ok_or_else(|| bad("give a factor of its width[,beach slope]"))?,
             "time" => self.time = SceneTime::parse(value).ok_or_else(|| bad("give ISO 8601 UTC, or now"))?,
             "rate" => self.rate = clamped(value, -1000.0..=1000.0).ok_or_else(|| bad("give -1000 to 1000"))?,
             "seed" => {
@@ -116,6 +133,7 @@ impl ViewState {
                     parse_mesh(value).ok_or_else(|| bad("give grid or bisect[,pixels[,budget]]"))?;
             }
             "quality" => s.quality = named(&Quality::ALL, value).ok_or_else(|| bad(&names(&Quality::ALL)))?,
+            "datum" => s.datum = named(&Datum::ALL, value).ok_or_else(|| bad(&names(&Datum::ALL)))?,
             "layers" => {
                 let (layers, unknown) = Layers::from_ids(value);
                 s.layers = layers;
@@ -144,12 +162,16 @@ impl ViewState {
             "foam" => to.foam = settings.foam,
             "haze" => to.haze = settings.haze,
             "clouds" => to.clouds = settings.clouds,
-            "water" => to.water = settings.water,
+            "water" => {
+                (to.water, to.water_density_per_m) = (settings.water, settings.water_density_per_m);
+            }
+            "surf" => to.surf = settings.surf,
             "time" => self.time = from.time,
             "rate" => self.rate = from.rate,
             "seed" => to.seed = settings.seed,
             "mesh" => (to.mesh, to.triangles) = (settings.mesh, settings.triangles),
             "quality" => to.quality = settings.quality,
+            "datum" => to.datum = settings.datum,
             _ => {}
         }
     }
@@ -159,7 +181,7 @@ impl ViewState {
         let s = &self.settings;
         let default = Settings::default();
         match key {
-            "view" => Some(format_view(&self.camera)).filter(|text| *text != format_view(&Camera::default())),
+            "view" => Some(self.view_text(&self.camera)).filter(|text| *text != self.view_text(&Camera::default())),
             "ride" => self.ride.then(|| "1".into()),
             "wind" => Some(format_wind(s.wind)).filter(|text| *text != format_wind(default.wind)),
             "bft" => s.beaufort.map(|grade| grade.to_string()),
@@ -170,12 +192,14 @@ impl ViewState {
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
             "haze" => Some(decimal(s.haze, 3)).filter(|text| *text != decimal(default.haze, 3)),
             "clouds" => Some(decimal(s.clouds, 3)).filter(|text| *text != decimal(default.clouds, 3)),
-            "water" => (s.water != default.water).then(|| name_of(&Water::ALL, s.water)),
+            "water" => Some(format_water(s.water, s.water_density_per_m)).filter(|text| text != "auto"),
+            "surf" => Some(format_surf(s.surf)).filter(|text| text != "1"),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
             "rate" => Some(decimal(self.rate, 6)).filter(|text| text != "1"),
             "seed" => (s.seed != default.seed).then(|| s.seed.to_string()),
             "mesh" => (s.mesh != default.mesh).then(|| format_mesh(s.mesh, s.triangles)),
             "quality" => (s.quality != default.quality).then(|| name_of(&Quality::ALL, s.quality)),
+            "datum" => (s.datum != default.datum).then(|| name_of(&Datum::ALL, s.datum)),
             "layers" => Some(s.layers.to_ids()).filter(|ids| !ids.is_empty()),
             _ => None,
         }

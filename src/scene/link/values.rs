@@ -1,7 +1,7 @@
 //! The values of the pairs in a link that have parts or names.
 
 use crate::scene::link::number::{clamped, decimal, decimal_deg, finite, whole, wrapped_deg};
-use crate::scene::settings::{Foam, FoamRule, Mesh, Swell, Triangles, Wind};
+use crate::scene::settings::{Foam, FoamRule, Mesh, Surf, Swell, Triangles, USUAL_WATER_DENSITY_PER_M, Water, Wind};
 use crate::scene::view::camera::Camera;
 
 /// Lowest altitude that a link can name, metres: the deepest trench.
@@ -29,18 +29,22 @@ pub fn parse_view(text: &str) -> Option<Camera> {
     ))
 }
 
-/// Writes a camera with as many digits as its height needs: wrong by at most 1/1000 of it, or 1 cm.
-pub fn format_view(camera: &Camera) -> String {
+/// Writes a camera with as many digits as its height over the resting sea needs: wrong by at most 1/1000 of it, or 1 cm. `rest_m` is the
+/// resting sea's height over the ellipsoid at a place (radians), m, as it is in the text.
+pub fn format_view(camera: &Camera, rest_m: impl Fn(f64, f64) -> f64) -> String {
     /// Length of a degree of latitude, metres, rounded up.
     const DEGREE_M: f64 = 111_700.0;
     let altitude_m = camera.altitude_m.clamp(LOWEST_VIEW_M, HIGHEST_VIEW_M);
     // A power of ten: rounding to it never changes which one it is, so writing what was read gives the same text.
     let step_m = 10f64.powf((unseen_m(altitude_m).log10() + 1e-9).floor());
-    let altitude = decimal(altitude_m, (-step_m.log10()).round() as i32);
-    let unseen_deg = unseen_m(altitude.parse().unwrap_or(altitude_m)) / DEGREE_M;
+    let decimals = (-step_m.log10()).round() as i32;
+    let unseen_deg = unseen_m(decimal(altitude_m, decimals).parse().unwrap_or(altitude_m)) / DEGREE_M;
     let digits = (-(2.0 * unseen_deg).log10()).ceil().max(0.0) as i32;
     let lat = decimal(camera.lat.to_degrees(), digits);
     let lon = decimal_deg(camera.lon.to_degrees(), -180.0, digits);
+    let read = |text: &str, exact: f64| text.parse::<f64>().map_or(exact, f64::to_radians);
+    let rest_m = rest_m(read(&lat, camera.lat), read(&lon, camera.lon));
+    let altitude = decimal((altitude_m + rest_m).clamp(LOWEST_VIEW_M, HIGHEST_VIEW_M), decimals);
     let heading = decimal_deg(camera.heading.to_degrees(), 0.0, 2);
     let tilt = decimal(camera.tilt.to_degrees(), 2);
     match (heading.as_str(), tilt.as_str()) {
@@ -108,6 +112,32 @@ pub fn format_foam(foam: Foam) -> String {
         FoamRule::Folding if lifetime == decimal(Foam::default().lifetime_s, 3) => amount,
         FoamRule::Folding => format!("{amount},{lifetime}"),
     }
+}
+
+/// Reads `kind[,density]`, the density of the water's opacity per metre.
+pub fn parse_water(text: &str) -> Option<(Water, f64)> {
+    let (name, density) = text.split_once(',').map_or((text, None), |(name, density)| (name, Some(density)));
+    let density = density.map_or(Some(USUAL_WATER_DENSITY_PER_M), |density| clamped(density, 0.1..=0.3))?;
+    Some((named(&Water::ALL, name)?, density))
+}
+
+/// Writes water, e.g. `coastal,0.3`; the usual density is left out.
+pub fn format_water(water: Water, density_per_m: f64) -> String {
+    let (name, density) = (name_of(&Water::ALL, water), decimal(density_per_m, 3));
+    if density == decimal(USUAL_WATER_DENSITY_PER_M, 3) { name } else { format!("{name},{density}") }
+}
+
+/// Reads `width[,slope]`.
+pub fn parse_surf(text: &str) -> Option<Surf> {
+    let (width, slope) = text.split_once(',').map_or((text, None), |(width, slope)| (width, Some(slope)));
+    let beach_slope = slope.map_or(Some(Surf::default().beach_slope), |slope| clamped(slope, 0.01..=0.3))?;
+    Some(Surf { width: clamped(width, 0.0..=3.0)?, beach_slope })
+}
+
+/// Writes surf, e.g. `0.5,0.1`; the usual slope is left out.
+pub fn format_surf(surf: Surf) -> String {
+    let [width, slope] = [surf.width, surf.beach_slope].map(|number| decimal(number, 3));
+    if slope == decimal(Surf::default().beach_slope, 3) { width } else { format!("{width},{slope}") }
 }
 
 /// Reads `grid` or `bisect[,pixels[,budget]]`.

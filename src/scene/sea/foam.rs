@@ -14,7 +14,7 @@
 use glam::DVec2;
 
 use crate::model::GRAVITY;
-use crate::model::foam::{self, Fold};
+use crate::model::foam::{self, Fold, Simulation};
 use crate::model::sea::Sea;
 use crate::model::sea_state;
 use crate::model::sea_tables::SeaTables;
@@ -68,10 +68,10 @@ impl Whitecaps {
             return whitecaps;
         }
         let (share, lifetime_s) = (whitecaps.share, foam.lifetime_s);
-        let (spectrum, chop) = (sea.sea.spectrum(), sea.sea.chop);
-        let breaking_m = whitecaps.breaking_m;
-        let folds =
-            foam::folds(&spectrum, &sea.cascades, chop, breaking_m, breaking_m.map(softness), share, lifetime_s);
+        let texels_m = whitecaps.breaking_m;
+        let simulation = Simulation::new(&sea.sea.drawn_spectrum(), &sea.cascades, texels_m);
+        let simulation = simulation.with_modes(&sea.sea.modes(), &sea.cascades, texels_m);
+        let folds = simulation.folds(sea.sea.chop, texels_m.map(softness), share, lifetime_s);
         Self { folds, ..whitecaps }
     }
 

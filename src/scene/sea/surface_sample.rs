@@ -18,7 +18,7 @@ pub const HELD_BY_DEPTH: f64 = 0.5;
 /// The surface of the sea at a place and an instant.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct SurfaceSample {
-    /// Height over the ellipsoid, m.
+    /// Height over the ellipsoid, m: that of the waves over the resting sea, and of that by the settings' datum.
     pub height_m: f64,
     /// Unit normal of the water: east, north, up.
     pub normal_enu: [f64; 3],
@@ -61,11 +61,11 @@ impl Seas {
         depth_m: f64,
         gains: [f64; CASCADES],
     ) -> SurfaceSample {
-        let tables = self.tables(settings);
+        let (tables, rest_m) = (self.tables(settings), settings.datum.rest_m(lat, lon));
         let allowed = allowed_by_depth(depth_m, tables.height_gain(gains) * tables.sea.hs_m);
         if tables.sea.hs_m == 0.0 || allowed == 0.0 {
             return SurfaceSample {
-                height_m: 0.0,
+                height_m: rest_m,
                 normal_enu: [0.0, 0.0, 1.0],
                 displacement_enu_m: [0.0; 3],
                 jacobian: 1.0,
@@ -81,7 +81,7 @@ impl Seas {
             * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
         let height_m = allowed * (motion.height - tables.level_in_m(gains));
         SurfaceSample {
-            height_m,
+            height_m: rest_m + height_m,
             normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),
             displacement_enu_m: [-rest.x, -rest.y, height_m],
             jacobian,

@@ -36,8 +36,9 @@ impl Thresholds {
             return [Fold::NEVER; LEVELS];
         }
         if self.simulated.as_ref().is_none_or(|(of, _)| !of.has_waves_of(sea)) {
-            self.simulated =
-                Some((sea.clone(), Simulation::new(&sea.sea.spectrum(), &sea.cascades, breaking_m(&sea.sea))));
+            let (texels_m, patches) = (breaking_m(&sea.sea), &sea.cascades);
+            let simulation = Simulation::new(&sea.sea.drawn_spectrum(), patches, texels_m);
+            self.simulated = Some((sea.clone(), simulation.with_modes(&sea.sea.modes(), patches, texels_m)));
             self.wanted = None;
         }
         let wanted = Some([sea.sea.chop, share, lifetime_s]);

@@ -36,7 +36,8 @@ pub struct Camera {
     pub lat: f64,
     /// Longitude, radians, `[−π, π)`.
     pub lon: f64,
-    /// Height over the ellipsoid (the rest surface of the sea), metres.
+    /// Height over the rest surface of the sea, metres, which is drawn on the ellipsoid: under a [geoid](crate::scene::settings::Datum) links
+    /// and readings have that surface's height besides.
     pub altitude_m: f64,
     /// Compass direction of the view, radians clockwise from north, `[0, 2π)`.
     pub heading: f64,

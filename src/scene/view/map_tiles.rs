@@ -49,6 +49,8 @@ pub struct Hiding {
     pub depth_m: f64,
     /// How wide a cell of the terrain's source is, metres: what shapes the bed near the shore.
     pub resolution_m: f64,
+    /// How far the bed falls from a shore at most, metres per metre.
+    pub beach_slope: f64,
 }
 
 struct Bounds {
@@ -139,7 +141,7 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
 /// there is no relief but what the data hold (`model::rugged`). Some way inland beside deep water there may be any.
 pub fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
-    let metres = tiles.elevations_m(id, id.z)?;
+    let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
     let is_deep = || tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
@@ -152,8 +154,8 @@ impl Hiding {
     /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
     fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
         let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
-        // `shaped_elevation` keeps near shores what is deeper than 3 % of the distance at that, and farther off as it is.
-        if shore_m <= 0.0 || (0.03 * shore_m < self.depth_m && shore_m < self.resolution_m) {
+        // `shaped_elevation` keeps near shores what is deeper than the slope times the distance at that, and farther off as it is.
+        if shore_m <= 0.0 || (self.beach_slope * shore_m < self.depth_m && shore_m < self.resolution_m) {
             return false;
         }
         tiles.elevations_m(id, coarsest).is_some_and(|metres| -metres.greatest >= self.depth_m)
