@@ -121,12 +121,18 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     let depth = ocean_depth(ground, footprint);
     let alpha = water_alpha(depth);
-    let sea = local_sea(point);
-    let slopes = slopes_in(sea, rest, distance, footprint);
+    var sea = local_sea(point);
+    var waves = NO_SHORE_WAVES;
+    if SURF {
+        waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, distance, footprint);
+        sea = left_by_trains(sea, waves.share);
+    }
+    var slopes = slopes_in(sea, rest, distance, footprint);
+    slopes.rough += 0.5 * waves.hidden;
     let calmed = held_share(depth, sea.height);
     // There are so many whitecaps as the waves are high: their Reynolds number counts (D. Zhao and Y. Toba 2001).
     let whitened = calmed * sea.height;
-    let slope = slopes.slope * calmed;
+    let slope = slopes.slope * calmed + waves.slope;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
     if UNDER_WATER {
         var light = daylight_at(frame.light.z);
@@ -148,7 +154,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         var seen = lace_at(foam_at, faced * footprint);
         var dense = usually_dense_from(shares.x);
         if FINE {
-            if SURF { shares = max(shares, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint)); }
+            if SURF { shares = max(shares, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint)); }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);
@@ -156,7 +162,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         foam = foam_of(shares.x, dense, calmed, seen, FINE);
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
-        if SURF { share = max(share, surf_at(point, ground.ocean_shore, depth, in.incoming, footprint).x); }
+        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
     }
     let clear = daylight_at(dot(frame.light, up));

@@ -185,3 +185,31 @@ pub enum Govindaraju2008 {}
 /// Dupuy, J. (2020), *Concurrent binary trees (with application to longest edge bisection)*, Proc. ACM Comput. Graph. Interact.
 /// Tech. 3(2), article 21: bits and sums that let threads split and merge triangles side by side. <https://doi.org/10.1145/3406186>
 pub enum Cbt {}
+
+/// Dally, W. R., Dean, R. G. and Dalrymple, R. A. (1985), *Wave height variation across beaches of arbitrary profile*, J. Geophys. Res. 90,
+/// 11917–11927: how a broken wave decays, in closed form on a plane beach. <https://doi.org/10.1029/JC090iC06p11917>
+pub enum Dally1985 {}
+
+/// Weggel, J. R. (1972), *Maximum breaker height*, J. Waterways, Harbors and Coastal Eng. Div. 98, 529–548: breaker height over depth by
+/// the bed's slope and the wave's steepness. No DOI.
+pub enum Weggel1972 {}
+
+/// Battjes, J. A. and Janssen, J. P. F. M. (1978), *Energy loss and set-up due to breaking of random waves*, Proc. 16th Int. Conf. on
+/// Coastal Eng., 569–587. <https://doi.org/10.1061/9780872621909.034>
+pub enum Battjes1978 {}
+
+/// Abreu, T., Silva, P. A., Sancho, F. and Temperville, A. (2010), *Analytical approximate wave form for asymmetric waves*, Coastal Eng.
+/// 57, 656–667. <https://doi.org/10.1016/j.coastaleng.2010.02.005>
+pub enum Abreu2010 {}
+
+/// Ruessink, B. G., Ramaekers, G. and van Rijn, L. C. (2012), *On the parameterization of the free-stream non-linear wave orbital motion in
+/// nearshore morphodynamic models*, Coastal Eng. 65, 56–63: shape by the Ursell number. <https://doi.org/10.1016/j.coastaleng.2012.03.006>
+pub enum Ruessink2012 {}
+
+/// Stockdon, H. F., Holman, R. A., Howd, P. A. and Sallenger, A. H. (2006), *Empirical parameterization of setup, swash, and runup*,
+/// Coastal Eng. 53, 573–588. <https://doi.org/10.1016/j.coastaleng.2005.12.005>
+pub enum Stockdon2006 {}
+
+/// Zhao, H. (2005), *A fast sweeping method for eikonal equations*, Math. Comp. 74, 603–627: Godunov's upwind differences, swept over a
+/// grid in four orders. <https://doi.org/10.1090/S0025-5718-04-01678-3>
+pub enum Zhao2005 {}

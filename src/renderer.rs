@@ -3,6 +3,7 @@
 //! It is long, but one thing: whoever follows a frame reads it here from top to bottom; what hangs on its size, its surface, its mesh or on
 //! water before the eye has files of its own below.
 
+use crate::data::sample::Sample;
 use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
@@ -10,6 +11,7 @@ use crate::error::Result;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
+use crate::model::waves;
 use crate::pass::air_table::AirTable;
 use crate::pass::city_lights::CityLights;
 use crate::pass::cloud_light::{self, CloudLight};
@@ -29,6 +31,7 @@ use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::Seas;
+use crate::scene::sea::shores::{ShoreWaves, Shores};
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, rugged_m, wanted_tiles};
@@ -52,6 +55,8 @@ pub use targets::{Radiance, TARGET_FORMAT};
 const REPLAY_STEPS: [usize; 2] = [2, 13];
 /// Seconds that a frame may spend on finding where land stands in the sea's way, of a moving picture and of a still one.
 const SHELTER_S: [f64; 2] = [0.003, 0.03];
+/// For how long a frame of a program may make windows of waves by shores, seconds; a step that has been begun takes as long again.
+const SHORE_SECONDS: f64 = 3e-3;
 /// Updates of the bisected mesh in a frame, of a moving picture and of a still one.
 const MESH_UPDATES: [u32; 2] = [2, 16];
 
@@ -60,6 +65,7 @@ pub struct Renderer {
     gpu: Gpu,
     world: World,
     seas: Seas,
+    shores: Shores,
     radiance_format: wgpu::TextureFormat,
     streaming: Streaming,
     tiles: WorldTiles,
@@ -156,6 +162,7 @@ impl Renderer {
             gpu,
             world,
             seas: Seas::default(),
+            shores: Shores::default(),
         }
     }
 
@@ -169,6 +176,10 @@ impl Renderer {
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
         self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
+        let side = self.side(frame);
+        let shows_trains = side.shows_surf && frame.is_fine() && self.complete;
+        let seconds = if self.seas.is_spread() { SHORE_SECONDS } else { f64::INFINITY };
+        self.complete &= self.shores.prepare(&mut self.world, frame, shows_trains, seconds);
         self.complete
     }
 
@@ -230,6 +241,7 @@ impl Renderer {
         self.load(frame);
         self.fit(frame);
         self.surface.take(&self.gpu, frame, &mut self.seas);
+        self.surface.take_trains(&self.gpu, frame, &self.shores);
         let side = self.upload(frame);
         let kind = side.kind;
         let frame_group = &self.frame_group.group;
@@ -357,7 +369,13 @@ impl Renderer {
     fn side(&mut self, frame: &Frame) -> Side {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
         let place = self.world.sample_resident(lat, lon);
-        Side::of(frame, place.as_ref(), self.radiance_format == Radiance::Half.format())
+        let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
+        Side::of(frame, place.as_ref(), shore.as_ref(), self.radiance_format == Radiance::Half.format())
+    }
+
+    /// The trains of waves of a shore at a place, where their windows are there.
+    fn shore_waves(&self, place: &Sample, at: (f64, f64), ticks: u64) -> Option<ShoreWaves> {
+        self.shores.waves_at(at, place.depth_m?, place.shore_distance_m?, ticks)
     }
 
     /// Makes the textures of the picture's size.
@@ -391,7 +409,9 @@ impl Renderer {
         let ridden = self.seas.eye(state, unix_seconds);
         let crest_m = self.seas.drawn(&state.settings).crest_m();
         let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
-            self.seas.surface_height(&state.settings, &asked, unix_seconds) + LOWEST_M
+            let shore = self.shore_waves(&place, (asked.lat, asked.lon), waves::ticks_from_unix(unix_seconds));
+            let (level, rise_m) = shore.map_or((1.0, 0.0), |shore| (shore.level, shore.wave.rise));
+            level * self.seas.surface_height(&state.settings, &asked, unix_seconds) + rise_m + LOWEST_M
         } else {
             OVER_BED_M - depth_m
         };

@@ -1,16 +1,18 @@
 // Where the sea's vertices are, of either mesh: on the ellipsoid, moved by the waves along its normal. Who imports this declares
-// `MEASURED`, `UNDER_WATER`, `FINE` and `WAVES`, as ocean.wgsl does.
+// `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES` and `SURF`, as ocean.wgsl does.
 #import projected_grid
 #import bisected_mesh
 #import world
 #import waves
 #import held
+#import shore_trains
 
 const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some pixels long
 const STEP_BEYOND: Metres = 2.0;
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
-struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea }
+// `sea` is what the trains of a shore leave of the waves there, `rise` what they add.
+struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea, rise: Metres }
 
 fn placed(rest: vec3f, spacing: Metres) -> Place {
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
@@ -18,15 +20,20 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
     var moved = vec3f(0.0);
     var allowed = 0.0;
     var sea = OPEN_SEA;
+    var rise = 0.0;
     if (frame.wave_height > 0.0) & !waves_are_pixels(distance) {
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         sea = local_sea(point);
-        let displacement = displacement_in(sea, rest, distance, spacing);
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
+        if SURF {
+            let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, distance, spacing);
+            sea = left_by_trains(sea, waves.share);
+            rise = waves.rise;
+        }
         allowed = held_share(-ground.elevation, sea.height);
-        moved = allowed * displacement;
+        moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, distance, spacing);
     }
-    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea);
+    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise);
 }
 
 // The water a step beyond a place, as the eye sees it: level way, and how much higher. What `crest_light` takes.
@@ -34,7 +41,8 @@ fn beyond(place: Place) -> vec2f {
     if !WAVES || !FINE || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
     let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
     let rest = place.rest + STEP_BEYOND * level;
-    let there = place.allowed * displacement_in(place.sea, rest, length(rest), place.spacing);
+    // The trains of a shore are too long to differ here.
+    let there = vec3f(0.0, 0.0, place.rise) + place.allowed * displacement_in(place.sea, rest, length(rest), place.spacing);
     let here = place.moved - place.rest;
     return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);
 }

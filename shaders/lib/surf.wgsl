@@ -1,10 +1,7 @@
-// Surf, as white water on a flat sea: where waves break on a shore, how much of the water is white, and in which crests that come in one
-// after another. Waves keep their period and run at the speed of shallow water, so that the time a crest still has to the shore is its phase;
-// waves of a group are as high as Rayleigh has it, each along its own reach of the shore.
+// Surf: where waves break on a shore, and how much of the water is white. Near the eye the waves are those of the trains.
 #import world
-#import noise
+#import shore_trains
 
-const SURF_FRONT: f32 = 0.9;          // seconds for which it is dense
 const SURF_WIDEST: Metres = 1500.0;   // no shore is so far from its surf
 const SHELTER_FROM: Metres = 400.0;   // up wind the shore's distance is looked up from here on, each time as far as it allows
 const SHELTER_TAPS = 5;
@@ -34,29 +31,20 @@ fn height_coming_in(point: MapPoint, sin_lat: f32, distance: Metres) -> Metres {
     return select(0.0, found, point.square == MERCATOR);
 }
 
-// Shares of the water under white water of any age, and under that of a crest that is just breaking. `incoming`: `height_coming_in`.
-fn surf_at(point: MapPoint, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres) -> vec2f {
+// Shares of the water under white water of any age, and under that of a crest that is just breaking: of the waves of the trains where these
+// show, elsewhere and from afar the mean. `incoming`: `height_coming_in`.
+fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres) -> vec2f {
     let deep = max(depth, 0.05);
     let period = frame.surf.x;
-    let lasts = vec2f(frame.surf.w, SURF_FRONT);
+    let lasts = frame.surf.wy;
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
     // The mean of all waves of a Rayleigh distribution (J. Battjes and J. Janssen 1978).
     let breaking = exp(-over * over) * smoothstep(SURF_WIDEST, 0.5 * SURF_WIDEST, shore) * smoothstep(0.02, 0.15, incoming);
-    let speed = sqrt(9.81 * deep);
     let mean = breaking * lasts / period * (1.0 - exp(-period / lasts));
-    // A crest is no straight line.
-    let broad = map_noise(point.at, 18u, 61u);
-    let phase = frame.surf.y + 2.0 * shore / (speed * period) + 1.4 * broad + 0.5 * map_noise(point.at, 20u, 62u) + 0.12 * map_noise(point.at, 22u, 63u);
-    let wave = floor(phase);
-    var bare = vec2f(1.0);
-    for (var i = 0; i < 3; i++) {
-        let salt = (u32(i32(wave) - i) & 4095u) + 70u;
-        let height = incoming * (0.30 + 1.25 * map_noise(point.at, 17u, salt));
-        let broken = smoothstep(0.85, 1.15, height / (1.4142 * frame.surf.z * deep));
-        let age = (phase - wave + f32(i)) * period;
-        bare *= 1.0 - broken * exp(-age / lasts);
-    }
-    let near = 1.0 - smoothstep(0.06, 0.25, footprint / (speed * period));
-    let crests = (1.0 - bare) * min(4.0 * breaking, 1.0);
+    // The white water of this crest, and of those before it, which have broken as often as those of this height do.
+    let often = exp(-pow(frame.surf.z * deep / max(0.7071 * waves.height, 1e-3), 2.0));
+    let older = exp(-(waves.age + period) / lasts);
+    let crests = 1.0 - (1.0 - waves.bore * exp(-waves.age / lasts)) * (1.0 - waves.bore * often * older);
+    let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (sqrt(9.81 * deep) * period)));
     return mix(mean, crests, near);
 }

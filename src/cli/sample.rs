@@ -1,5 +1,7 @@
 //! `ocean-globe sample`: what is at a place, as JSON.
 
+use std::time::{Duration, Instant};
+
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
 use crate::data::exposure::{Found, Water};
@@ -8,12 +10,18 @@ use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
 use crate::data::world::World;
 use crate::error::{Error, Result};
-use crate::model::spectrum::DirectionalSpectrum;
 use crate::model::sheltered_sea::RINGS;
+use crate::model::spectrum::DirectionalSpectrum;
+use crate::model::waves;
 use crate::scene::sea::Seas;
 use crate::scene::sea::shelter::of_patches;
+use crate::scene::sea::shores::Shores;
 use crate::scene::sea::surface_sample::instant;
+use crate::scene::settings::Quality;
 use crate::scene::time::SceneTime;
+
+/// For the coast's tiles.
+const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Print elevation, depth, water class, shore distance and the surface of the sea at a place, as JSON.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -64,7 +72,7 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
     let mut seas = Seas::default();
     let tables = seas.tables(&state.settings);
-    let mut gains = |seas: &mut Seas, water| {
+    let gains = |world: &mut World, seas: &mut Seas, water| {
         let mut look = |id| match world.tile_blocking(Layer::Water, id) {
             Ok(Some(texels)) => Found::Tile(texels),
             _ => Found::Absent,
@@ -74,8 +82,21 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     };
     let height_m = |gains| serde_json::Value::from(tables.height_gain(gains) * tables.sea.hs_m);
     if let Some(depth_m) = sample.depth_m {
-        let gains = gains(&mut seas, Water::Ocean);
-        let found = seas.sample_in(&state.settings, (lat, lon), unix_seconds, depth_m, gains);
+        let gains = gains(&mut world, &mut seas, Water::Ocean);
+        let shore = sample.shore_distance_m.and_then(|shore_m| {
+            let mut shores = Shores::default();
+            let start = Instant::now();
+            while !shores.prepare_at(&mut world, (&tables, state.settings.wind_from()), lat, lon) {
+                world.poll();
+                if start.elapsed() > PATIENCE {
+                    return None;
+                }
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            shores.waves_at((lat, lon), depth_m, shore_m, waves::ticks_from_unix(unix_seconds))
+        });
+        let shore = shore.filter(|_| state.settings.quality != Quality::Low);
+        let found = seas.sample_by_shore(&state.settings, (lat, lon), unix_seconds, depth_m, gains, shore);
         let mut surface = serde_json::to_value(found).map_err(json)?;
         surface["height_over_geoid_m"] = over_rest_m(found.height_m).into();
         surface["height_over_ellipsoid_m"] = (over_rest_m(found.height_m) + geoid_m).into();
@@ -89,7 +110,7 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
         object["surface"] = serde_json::Value::Null;
     }
     if sample.class == WaterClass::Lake {
-        object["lake_hs_m"] = height_m(gains(&mut seas, Water::Lake));
+        object["lake_hs_m"] = height_m(gains(&mut world, &mut seas, Water::Lake));
     }
     object["lat_deg"] = lat_deg.into();
     object["lng_deg"] = ((lon_deg + 180.0).rem_euclid(360.0) - 180.0).into();

@@ -8,6 +8,7 @@
 
 mod answer;
 mod cache;
+mod shore_bed;
 mod shores;
 mod slot;
 mod span;
@@ -24,6 +25,7 @@ use crate::error::{Error, Result};
 use crate::model::sea_bed::USUAL_SLOPE;
 use answer::{deepest, load, stored};
 use cache::Cache;
+pub use shore_bed::{SHORE_LEVEL, SHORE_SIDE};
 use shores::Unfinished;
 use slot::{Opening, Slot};
 use span::{OnTheWay, Span, Wish};

@@ -115,7 +115,8 @@ lakes! {
 /// The lake that water at geodetic `lat` and `lon`, radians, belongs to, if it is one of the table.
 pub fn at(lat: f64, lon: f64) -> Option<&'static Lake> {
     let (lat, lon) = (lat.to_degrees(), (lon.to_degrees() + 180.0).rem_euclid(360.0) - 180.0);
-    let holds = |[south, north, west, east]: &[f64; 4]| (*south..*north).contains(&lat) && (*west..*east).contains(&lon);
+    let holds =
+        |[south, north, west, east]: &[f64; 4]| (*south..*north).contains(&lat) && (*west..*east).contains(&lon);
     LAKES.iter().find(|lake| lake.boxes.iter().any(holds))
 }
 

@@ -36,13 +36,16 @@ pub mod sea_spectrum;
 pub mod sea_state;
 pub mod sea_tables;
 pub mod sheltered_sea;
+pub mod shore_waves;
 pub mod spectrum;
 pub mod spray;
 pub mod spreading;
 pub mod sun;
+pub mod surf;
 pub mod surface;
 pub mod wave_data;
 pub mod wave_domain;
+pub mod wave_trains;
 pub mod waves;
 
 /// Standard gravity, m/s² (CGPM 1901). The sea uses this one value everywhere on the globe.

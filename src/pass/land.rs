@@ -24,8 +24,8 @@ struct Instance {
 /// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, with lakes
 /// so near that their waves show or without.
 pub fn source(kind: Kind, imagery: bool, [rugged, lakes]: [bool; 2]) -> String {
-    let definitions = kind.ground_definitions(imagery)
-        + &format!("const RUGGED: bool = {rugged};\nconst LAKES: bool = {lakes};\n");
+    let definitions =
+        kind.ground_definitions(imagery) + &format!("const RUGGED: bool = {rugged};\nconst LAKES: bool = {lakes};\n");
     shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
 }
 

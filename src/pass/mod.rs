@@ -21,6 +21,7 @@ pub mod ocean;
 pub mod perlin;
 pub mod points;
 pub mod rough_table;
+pub mod shore_trains;
 pub mod sky;
 pub mod sky_table;
 pub mod sky_view;

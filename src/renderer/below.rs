@@ -10,6 +10,7 @@ use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
 use crate::scene::frame::{CUT_M, Frame};
+use crate::scene::sea::shores::ShoreWaves;
 
 /// Waves of lakes that are farther from the eye's foot, metres, are roughness alone.
 const LAKES_SEEN_M: f64 = 20_000.0;
@@ -30,15 +31,15 @@ pub(super) struct Side {
 }
 
 impl Side {
-    /// That of a frame over the ocean, or over land.
-    pub(super) fn of(frame: &Frame, place: Option<&Sample>, blends: bool) -> Self {
+    /// That of a frame over the ocean, or over land, with the trains of waves of a shore.
+    pub(super) fn of(frame: &Frame, place: Option<&Sample>, shore: Option<&ShoreWaves>, blends: bool) -> Self {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
         let shows_surf = frame.shows_surf(shore_m);
         let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
         let is_lake = place.is_some_and(|place| place.class == WaterClass::Lake);
         let shows_lakes = frame.has_waves() && (is_lake || lake_m > -LAKES_SEEN_M);
-        let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m));
+        let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m, shore));
         let is_cut = blends && frame.has_light() && over_m.abs() < CUT_M;
         Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf, shows_lakes }
     }

@@ -12,11 +12,13 @@ use crate::model::waves::CASCADES;
 use crate::pass::fft::{Fft, Precision};
 use crate::pass::foam::{self, Foam};
 use crate::pass::perlin::Perlin;
+use crate::pass::shore_trains::ShoreTrains;
 use crate::scene::frame::Frame;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::Whitecaps;
-use crate::scene::sea::shelter::{LEVELS, SIDE, Window};
 use crate::scene::sea::foam_history::{FoamStep, History};
+use crate::scene::sea::shelter::{LEVELS, SIDE, Window};
+use crate::scene::sea::shores::Shores;
 
 /// Views of the tables of light, in the order of the bindings.
 pub(super) type Light = [wgpu::TextureView; 6];
@@ -29,6 +31,7 @@ pub(super) struct Surface {
     fft: Fft,
     perlin: Perlin,
     foam: Foam,
+    trains: ShoreTrains,
     history: History,
     moving: bool,
     /// The light: skylight's radiance and irradiance, the air that the eye sees before the sky and before surfaces, transmittance; what a rough
@@ -63,7 +66,7 @@ impl Surface {
         let mut binds = [D2Array, D2Array, D2Array, D2, D2, D3, D2, D2, D3, D2, D2, D2].map(Bind::Texture).to_vec();
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
-        binds.extend([Bind::Storage; 3]);
+        binds.extend([Bind::Storage; 4]);
         let layout = gpu.layout("surface", stages, &binds);
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
@@ -72,11 +75,13 @@ impl Surface {
         let shelter = gpu.empty_buffer("shelter", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST, size);
         let [weather, net] = clouds.map(Clone::clone);
         let storage = [weather, net, shelter];
-        let groups = groups(gpu, &layout, (&fft, &perlin, &foam), &light, &storage);
+        let trains = ShoreTrains::new(gpu);
+        let groups = groups(gpu, &layout, (&fft, &perlin, &foam, &trains), &light, &storage);
         Self {
             fft,
             perlin,
             foam,
+            trains,
             history: History::default(),
             moving: false,
             light,
@@ -134,12 +139,24 @@ impl Surface {
         let n = sea.cascades[0].n;
         if n != self.fft.samples() {
             self.fft = Fft::new(gpu, n, sea.cascades.len(), Precision::Half).sharpened(true);
-            self.groups = groups(gpu, &self.layout, (&self.fft, &self.perlin, &self.foam), &self.light, &self.storage);
+            self.bind(gpu);
         }
         self.fft.set_waves(gpu, &sea.cascades, &seas.waves(sea));
         self.made = [None; 2];
         self.history.reset();
         self.sea = Some(sea.clone());
+    }
+
+    /// Takes the trains of waves near the shores around the frame's eye.
+    pub(super) fn take_trains(&mut self, gpu: &Gpu, frame: &Frame, shores: &Shores) {
+        if self.trains.prepare(gpu, shores, frame) {
+            self.bind(gpu);
+        }
+    }
+
+    fn bind(&mut self, gpu: &Gpu) {
+        let made = (&self.fft, &self.perlin, &self.foam, &self.trains);
+        self.groups = groups(gpu, &self.layout, made, &self.light, &self.storage);
     }
 
     /// Brings the foam map towards the frame's instant, by at most `budget` steps of the past, each a submission of its own.
@@ -242,7 +259,7 @@ fn step(history: &mut History, frame: &Frame, instant: u64, lifetime_s: f64) -> 
 fn groups(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
-    (fft, perlin, foam): (&Fft, &Perlin, &Foam),
+    (fft, perlin, foam, trains): (&Fft, &Perlin, &Foam, &ShoreTrains),
     light: &Light,
     storage: &[wgpu::Buffer; 3],
 ) -> [wgpu::BindGroup; 2] {
@@ -255,7 +272,7 @@ fn groups(
             .chain(light)
             .chain([&lace])
             .map(wgpu::BindingResource::TextureView)
-            .chain(storage.iter().map(wgpu::Buffer::as_entire_binding))
+            .chain(storage.iter().chain([&trains.buffer]).map(wgpu::Buffer::as_entire_binding))
             .collect();
         gpu.bind("surface", layout, &views)
     })

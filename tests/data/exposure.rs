@@ -60,7 +60,10 @@ fn a_round_island_hides_what_a_circle_hides() {
             let least = least.fold(f64::INFINITY, f64::min);
             println!("{direction}: clears by {:.2}, a circle by {least:.2}", found.clearance);
             // Steps of nine tenths of the distance pass beside the closest place.
-            assert!(found.clearance >= 0.98 * least && found.clearance < 1.15 * least, "{direction}: {found:?} {least}");
+            assert!(
+                found.clearance >= 0.98 * least && found.clearance < 1.15 * least,
+                "{direction}: {found:?} {least}"
+            );
         }
     }
     // Far out all is open.
@@ -157,5 +160,4 @@ fn tenerife_has_a_lee() {
     assert!(gains[0] < gains[1] && gains[1] < gains[2] && gains[3] == 1.0, "{gains:?}");
     // Beyond 84 degrees no shore is looked for.
     assert_eq!(here("87,10").1, [1.0; 4]);
-
 }

@@ -52,7 +52,9 @@ fn plants_leave_the_grounds_mean() {
         let mean = heights.iter().sum::<f64>() / f64::from(COUNT);
         let least = heights.iter().copied().fold(f64::MAX, f64::min);
         let stands = heights.iter().filter(|height| **height > least + 1e-4).count() as f64 / f64::from(COUNT);
-        println!("share {share}, radius {radius}: mean {mean:.4}, {stands:.3} of the ground is covered, bare ground {least:.3}");
+        println!(
+            "share {share}, radius {radius}: mean {mean:.4}, {stands:.3} of the ground is covered, bare ground {least:.3}"
+        );
         // Of the mean height that is taken off 2 %, and a chance of 3 deviations, .3 each.
         assert!(mean.abs() < 0.02 * -least + 3.0 * 0.3 / f64::from(COUNT).sqrt(), "{mean}");
         // Discs that did not overlap; where most of the ground is covered, by chance alone.

@@ -41,7 +41,8 @@ fn drawn_heights_in_a_lee_are_those_of_the_sample() {
         let drawn = render::measure(&mut renderer, &state, [257, 257], LayerName::Height).unwrap().values;
         let eye = renderer.eye(&state, NOON);
         let mut errors = Vec::new();
-        for (row, column) in (8..250).step_by(40).flat_map(|row| (8..250).step_by(40).map(move |column| (row, column))) {
+        for (row, column) in (8..250).step_by(40).flat_map(|row| (8..250).step_by(40).map(move |column| (row, column)))
+        {
             let drawn_m = drawn[row * 257 + column];
             let level = earth::Ellipsoid { a: WGS84.a + drawn_m, b: WGS84.b + drawn_m };
             let pixel = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
@@ -99,7 +100,7 @@ fn two_eyes_see_the_same_heights_in_a_lee() {
     // The second one has been elsewhere, so that its nodes and tiles came in another order; both look down on the same water.
     heights(&mut second, [27.5, -15.9], 60_000.0, [64, 64]);
     heights(&mut second, [28.1, -16.95], 5_000.0, [64, 64]);
-        let [a, b] = [&mut first, &mut second].map(|renderer| heights(renderer, [28.0, -16.8], 300.0, [128, 128]));
+    let [a, b] = [&mut first, &mut second].map(|renderer| heights(renderer, [28.0, -16.8], 300.0, [128, 128]));
     assert_eq!(a, b);
 }
 

@@ -79,7 +79,8 @@ fn gains_of_the_rings_add_up_to_the_energy_of_the_rule() {
     }
     assert!(heights.is_sorted() && heights[3] < tables.sea.hs_m);
     // Half of the directions open, by symmetry half of the energy, but for what the wind raises anew.
-    let half = |i: usize| if i <= DIRECTIONS / 2 { Exposure::OPEN } else { Exposure { fetch_m: 10.0, clearance: -1e3 } };
+    let half =
+        |i: usize| if i <= DIRECTIONS / 2 { Exposure::OPEN } else { Exposure { fetch_m: 10.0, clearance: -1e3 } };
     let share = energy(&tables, local.gains(&std::array::from_fn(|i| Some(half(i))))) * 16.0 / tables.sea.hs_m.powi(2);
     // The direction that the wind comes from is one of the open ones, and holds a fifth or less.
     assert!((0.5..0.62).contains(&share), "{share}");

@@ -17,6 +17,7 @@ mod own_world;
 mod relief;
 mod ride;
 mod sheets;
+mod shore;
 mod shore_settings;
 mod sweep;
 mod tone;

@@ -200,7 +200,8 @@ impl Changes {
         for (which, name) in ["99.9th percentile", "mean"].into_iter().enumerate() {
             let series: Vec<_> = self.series.iter().map(|change| change[which]).collect();
             let ratios = suddenness(&series).into_iter().enumerate();
-            let (frame, ratio) = ratios.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, ratio)| (index + 1, ratio)).unwrap();
+            let (frame, ratio) =
+                ratios.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, ratio)| (index + 1, ratio)).unwrap();
             println!("{film}: the {name} of the change is at most {ratio:.2} times its neighbours', at frame {frame}");
             assert!(ratio <= 1.5, "{film}: frame {frame} pops: {name} {ratio:.2}");
         }
@@ -284,7 +285,10 @@ fn an_eye_comes_down_to_clouds_among_them_and_from_below_them_without_a_pop() {
             let most = parts.iter().map(|change| change[which]).fold(0.0, f64::max);
             let height = path[CUT * index].altitude_m;
             let usual = series[index] / ratio;
-            println!("from {height:.0} m {ratio:.2} times its neighbours' change; in parts {:.2} times at most", most / usual);
+            println!(
+                "from {height:.0} m {ratio:.2} times its neighbours' change; in parts {:.2} times at most",
+                most / usual
+            );
             assert!(most < usual, "from {height:.0} m a pop: {most} in a part of a step, {usual} in steps around it");
         }
     }

@@ -12,6 +12,7 @@ use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
 use crate::scene::sea::shelter::of_patches;
+use crate::scene::sea::shores::ShoreWaves;
 use crate::scene::sea::surface_sample::allowed_by_depth;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
 use crate::scene::view::camera::Camera;
@@ -48,8 +49,6 @@ pub struct Frame {
     pub foam_eye: FoamEye,
     /// The sea's whitecaps.
     pub whitecaps: Whitecaps,
-    /// Whether foam shows at all.
-    pub shows_foam: bool,
     /// Lifetime of foam, seconds; `None` where the picture shows no foam map.
     pub foam_lifetime_s: Option<f64>,
     /// Height of the water at the eye's place over the ellipsoid, metres, where it is deep and the eye among the waves; elsewhere 0.
@@ -121,7 +120,7 @@ impl Frame {
         place::set_earth(&mut uniform, camera, sea.sea.hs_m, sea.sea.chop);
         place::set_map(&mut uniform, camera);
         light::set_light(&mut uniform, settings.haze, camera, unix_seconds);
-        water::set_sea(&mut uniform, settings, &sea, unix_seconds);
+        water::set_sea(&mut uniform, settings, &sea);
         water::set_gusts(&mut uniform, settings.wind_from());
         let clouds = clouds::set_clouds(&mut uniform, settings, camera, unix_seconds, size);
         uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
@@ -130,7 +129,8 @@ impl Frame {
         // In a trough the eye may be below the ellipsoid and over the water.
         let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
         let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
-        let local_height_m = sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(Water::Ocean, camera.lat, camera.lon)));
+        let local_height_m =
+            sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(Water::Ocean, camera.lat, camera.lon)));
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
@@ -146,7 +146,6 @@ impl Frame {
             wind_from: settings.wind_from(),
             foam_eye,
             whitecaps,
-            shows_foam: wanted.amount > 0.0,
             foam_lifetime_s,
             surface_m,
             local_height_m,
@@ -176,9 +175,13 @@ impl Frame {
         wanted && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
     }
 
-    /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that.
-    pub fn over_water_m(&self, depth_m: f64) -> f64 {
-        self.camera.altitude_m - allowed_by_depth(depth_m, self.local_height_m) * self.surface_m
+    /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that; by a shore, over that of the trains with as
+    /// much of the rest as they leave in the mean.
+    pub fn over_water_m(&self, depth_m: f64, shore: Option<&ShoreWaves>) -> f64 {
+        let (level, rise_m) = shore.map_or((1.0, 0.0), |shore| (shore.level, shore.wave.rise));
+        self.camera.altitude_m
+            - allowed_by_depth(depth_m, level * self.local_height_m) * level * self.surface_m
+            - rise_m
     }
 
     /// The same frame, reporting a measured layer instead of the picture.
@@ -231,7 +234,7 @@ impl Frame {
     /// [`SURF_SEEN_M`] and twice the eye's height, nor from [`SURF_HIGHEST_M`] on, where shaders let it go.
     pub fn shows_surf(&self, shore_m: f64) -> bool {
         let altitude_m = self.camera.altitude_m.max(0.0);
-        self.shows_foam && altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m
+        altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m
     }
 
     /// A distance that no water is nearer than, metres.

@@ -9,8 +9,8 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
 use crate::model::{lakes, relief, rugged, sheltered_sea};
-use crate::scene::sea::{foam, shelter};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
+use crate::scene::sea::{foam, shelter, shores};
 
 /// Distance of the near plane, metres; equals `NEAR` in `shaders/lib/frame.wgsl`. There is no far plane.
 pub const NEAR_M: f64 = 0.1;
@@ -51,7 +51,7 @@ pub fn shared_constants() -> String {
     ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
-    bits.concat() + &numbers.concat() + &clouds_field() + &relief_numbers()
+    bits.concat() + &numbers.concat() + &clouds_field() + &relief_numbers() + &shores::shared_constants()
 }
 
 /// Those of the relief.
@@ -327,8 +327,8 @@ gpu_struct! {
         foam_rule: u32 = "u32",
         /// Perlin patch.
         perlin_patch: f32 = "Metres",
-        /// Waves that break on shores: their period, s, how many have come by now, up to 4096; their height over the depth that they break in; in
-        /// how many seconds their white water fades.
+        /// Waves that break on shores: their period, s; for how many seconds their fronts are dense; their height over the depth that they break
+        /// in; in how many seconds their white water fades.
         surf: Vec4 = "vec4f",
         /// How far the bed falls from a shore at most, metres per metre; the rest is 0.
         shore: Vec4 = "vec4f",

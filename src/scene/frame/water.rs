@@ -13,9 +13,13 @@ use crate::scene::view::camera::Camera;
 
 /// Height of a wave over the depth that it breaks in: between those of spilling and of plunging breakers.
 const SURF_BREAKS: f64 = 0.6;
+/// Lifetime of white water where foam does not show, s.
+const NO_FOAM_S: f64 = 1e-3;
+/// For how long the front of a breaker is dense, s.
+const FRONT_S: f64 = 0.9;
 
 /// Wind, waves and their statistics, spray, and which layers show.
-pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_seconds: f64) {
+pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let speed = settings.wind_speed_mps();
     let (east, north) = sea_state::wind_components(speed, settings.wind.from_deg.to_radians());
     u.wind = Vec2::new(east as f32, north as f32);
@@ -24,10 +28,10 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables, unix_
     u.wave_height = sea.sea.hs_m as f32;
     // Seas of the wind have a steepness of about 0.04; the shortest waves that are seen to break take two seconds.
     let period_s = (4.0 * libm::sqrt(sea.sea.hs_m)).max(2.0);
-    let come = (unix_seconds / period_s).rem_euclid(4096.0);
     // On a plane beach the width of the surf is the depth that waves break in over the slope.
     let breaks = SURF_BREAKS / settings.surf.width.max(1e-3);
-    u.surf = DVec4::new(period_s, come, breaks, model::foam::LIFETIME_S).as_vec4();
+    let white_s = if settings.shown_foam().amount > 0.0 { model::foam::LIFETIME_S } else { NO_FOAM_S };
+    u.surf = DVec4::new(period_s, white_s.min(FRONT_S), breaks, white_s).as_vec4();
     u.shore.x = settings.surf.beach_slope as f32;
     let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
     let height = spray::scale_height_m(sea.sea.hs_m);

@@ -5,6 +5,7 @@ pub mod foam_history;
 pub mod ride;
 pub mod seas;
 pub mod shelter;
+pub mod shores;
 pub mod surface_sample;
 pub mod tables;
 pub mod thresholds;

@@ -65,6 +65,11 @@ impl Seas {
         self.is_spread = true;
     }
 
+    /// Whether work is spread over frames.
+    pub fn is_spread(&self) -> bool {
+        self.is_spread
+    }
+
     /// The tables of the sea that `settings` ask for.
     pub fn tables(&mut self, settings: &Settings) -> Arc<SeaTables> {
         if let Some((asked, tables)) = &self.asked

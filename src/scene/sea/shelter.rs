@@ -23,8 +23,8 @@ use crate::model::earth::WGS84;
 use crate::model::sea_tables::SeaTables;
 use crate::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, LocalSea, RINGS};
 use crate::model::waves::CASCADES;
-use nodes::{Local, Node, between, found};
 pub use nodes::{LEAST_KNOWN, ON_LAND};
+use nodes::{Local, Node, between, found};
 
 mod nodes;
 
@@ -128,8 +128,7 @@ impl Shelter {
             match is_open(&mut shores, &asked[level]) {
                 Some(true) => windows[level].state = OPEN,
                 Some(false) => {
-                    let (missing, late) =
-                        self.fill(level, &windows[level], (&local, &mut shores), until_s);
+                    let (missing, late) = self.fill(level, &windows[level], (&local, &mut shores), until_s);
                     waits |= missing;
                     is_late |= late;
                 }
@@ -237,7 +236,13 @@ impl Shelter {
                 return [1.0; RINGS];
             }
             let known = |place: [u32; 2]| {
-                Some(self.nodes.get(slot(level, place)).filter(|node| node.place == place).copied().unwrap_or(Node::NONE))
+                Some(
+                    self.nodes
+                        .get(slot(level, place))
+                        .filter(|node| node.place == place)
+                        .copied()
+                        .unwrap_or(Node::NONE),
+                )
             };
             if window.state == KNOWN
                 && let Some(gains) = between(level, at, water, known).flatten()

@@ -4,8 +4,10 @@ use glam::{DVec2, DVec3};
 
 use crate::error::{Error, Result};
 use crate::model::moved_water::Place;
+use crate::model::surf::SurfWave;
 use crate::model::waves::{self, CASCADES};
 use crate::scene::sea::Seas;
+use crate::scene::sea::shores::ShoreWaves;
 use crate::scene::settings::Settings;
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
@@ -56,13 +58,30 @@ impl Seas {
     pub fn sample_in(
         &mut self,
         settings: &Settings,
-        (lat, lon): (f64, f64),
+        place: (f64, f64),
         unix_seconds: f64,
         depth_m: f64,
         gains: [f64; CASCADES],
     ) -> SurfaceSample {
+        self.sample_by_shore(settings, place, unix_seconds, depth_m, gains, None)
+    }
+
+    /// As [`Seas::sample_in`], with the trains of waves of a shore.
+    pub fn sample_by_shore(
+        &mut self,
+        settings: &Settings,
+        (lat, lon): (f64, f64),
+        unix_seconds: f64,
+        depth_m: f64,
+        gains: [f64; CASCADES],
+        shore: Option<ShoreWaves>,
+    ) -> SurfaceSample {
         let (tables, rest_m) = (self.tables(settings), settings.datum.rest_m(lat, lon));
-        let allowed = allowed_by_depth(depth_m, tables.height_gain(gains) * tables.sea.hs_m);
+        let left = shore.map_or([1.0; CASCADES], |shore| shore.patches);
+        let level = shore.map_or(1.0, |shore| shore.level);
+        let wave = shore.map_or_else(SurfWave::default, |shore| shore.wave);
+        let allowed = allowed_by_depth(depth_m, level * tables.height_gain(gains) * tables.sea.hs_m);
+        let gains: [f64; CASCADES] = std::array::from_fn(|index| gains[index] * left[index]);
         if tables.sea.hs_m == 0.0 || allowed == 0.0 {
             return SurfaceSample {
                 height_m: rest_m,
@@ -78,8 +97,9 @@ impl Seas {
         let gradient = motion.chop_gradient(chop);
         let jacobian = gradient.jacobian();
         let slope = allowed * jacobian / jacobian.max(LEAST_JACOBIAN)
-            * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y));
-        let height_m = allowed * (motion.height - tables.level_in_m(gains));
+            * DVec2::from(gradient.true_slope(motion.slope.x, motion.slope.y))
+            + DVec2::from(wave.slope);
+        let height_m = allowed * (motion.height - tables.level_in_m(gains)) + wave.rise;
         SurfaceSample {
             height_m: rest_m + height_m,
             normal_enu: DVec3::new(-slope.x, -slope.y, 1.0).normalize().to_array(),

@@ -189,7 +189,8 @@ fn into_water(shores: &mut Shores, (z, water): (u8, Water), mut at: (f64, f64), 
         if here > 0.5 * off_m {
             break;
         }
-        let (right, down) = (shore_m(texel, 0.0)? - shore_m(-texel, 0.0)?, shore_m(0.0, texel)? - shore_m(0.0, -texel)?);
+        let (right, down) =
+            (shore_m(texel, 0.0)? - shore_m(-texel, 0.0)?, shore_m(0.0, texel)? - shore_m(0.0, -texel)?);
         let steep = libm::hypot(right, down).max(1e-9);
         let way = (off_m - here) / (EQUATOR_M * cos_lat(at.1)) / steep;
         at = ((at.0 + way * right).rem_euclid(1.0), (at.1 + way * down).clamp(0.0, 1.0));

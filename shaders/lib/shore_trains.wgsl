@@ -1,0 +1,153 @@
+// The trains of waves near shores: what stands for the long waves of the sea where these feel the bottom. A drawing and the reasons:
+// src/model/shore_waves.rs; windows, layout and handover: src/scene/sea/shores.rs, which does the same in f64.
+#import world
+#import hash
+#import breakers
+#import shelter
+
+// Words: how the trains are; each one's frequency and amplitude, then its phase now; which window a tile has; then their nodes.
+@group(1) @binding(15) var<storage, read> shore_words: array<vec2u>;
+
+// The sum of the trains at a place, as far as a footprint shows them: Σ A e^{iθ}, and Σ k A cos θ and Σ k A sin θ along their ways, east and
+// north; and the variance of the slopes that it hides. Amplitudes lack shoaling.
+struct Trains { z: vec2f, cosines: vec2f, sines: vec2f, hidden: f32 }
+
+const NO_TRAINS = Trains(vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0);
+
+// Waves at a place: height over the mean level, its slope east and north, how far broken (0 to 1), seconds since the last crest, how high
+// the waves are, the share of the sea's energy that is theirs, and the variance of their slopes that does not show.
+struct ShoreWaves { rise: Metres, slope: vec2f, bore: f32, age: f32, height: Metres, share: f32, hidden: f32 }
+
+const NO_SHORE_WAVES = ShoreWaves(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+
+// Energy that the trains have of the sea's long waves: where these feel the bottom, by a shore, and near the eye.
+fn trains_share(depth: Metres, shore: Metres, distance: Metres) -> f32 {
+    let about = bitcast<vec2f>(shore_words[0]);
+    let near = 1.0 - smoothstep(0.6 * about.y, about.y, distance);
+    let u = about.x * about.x * max(depth, 0.0) / GRAVITY;
+    return near * (1.0 - smoothstep(FEELS_BOTTOM, FREE_OF_BOTTOM, u)) * (1.0 - smoothstep(SHORES_END * 0.6, SHORES_END, shore)) * smoothstep(-0.5, 0.0, shore);
+}
+
+fn node_value(base: u32, node: vec2u, train: u32) -> vec3f {
+    let word = shore_words[base + (node.y * SHORE_SIDE + node.x) * SHORE_TRAINS + train];
+    return vec3f(bitcast<f32>(word.x), 2.0 * unpack2x16snorm(word.y));
+}
+
+// A train as one window has it at a place: R and the way, and the window's energy there, 0 where there is no such window.
+struct InWindow { rest: f32, way: vec2f, energy: f32, chance: f32 }
+
+// Where a place lies among the windows: its tile, where in it, and by which shares of energy the neighbours' serve beside its edges.
+struct Among { tile: vec2u, inside: vec2f, beyond: vec2f, step: vec2i }
+
+fn among_windows(point: MapPoint) -> Among {
+    let shift = 32u - SHORE_LEVEL;
+    let inside = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift);
+    let beyond = smoothstep(vec2f(0.4), vec2f(0.6), abs(inside - 0.5));
+    return Among(point.at >> vec2u(shift), inside, beyond, select(vec2i(-1), vec2i(1), inside > vec2f(0.5)));
+}
+
+// The k-th window: 0 the tile's own, then that beside, that above or below, and that across the corner.
+fn in_window(place: Among, k: u32, train: u32) -> InWindow {
+    let side = vec2u(k & 1u, k >> 1u);
+    let step = vec2i(side) * place.step;
+    let tile = bitcast<vec2u>(bitcast<vec2i>(place.tile) + step) & vec2u((1u << SHORE_LEVEL) - 1u);
+    let entry = shore_words[SHORE_TABLE + (tile.y & 7u) * 8u + (tile.x & 7u)];
+    let is_there = (entry.x == (tile.x | (tile.y << 16u))) & (entry.y > 0u);
+    let shares = select(1.0 - place.beyond, place.beyond, side == vec2u(1u));
+    let at = clamp((place.inside - vec2f(step) + 0.5) * f32(SHORE_SIDE / 2u), vec2f(0.0), vec2f(f32(SHORE_SIDE) - 1.001));
+    let low = vec2u(at);
+    let f = at - vec2f(low);
+    let base = SHORE_NODES + (max(entry.y, 1u) - 1u) * SHORE_SIDE * SHORE_SIDE * SHORE_TRAINS;
+    let top = mix(node_value(base, low, train), node_value(base, low + vec2u(1u, 0u), train), f.x);
+    let bottom = mix(node_value(base, low + vec2u(0u, 1u), train), node_value(base, low + vec2u(1u), train), f.x);
+    let found = mix(top, bottom, f.y);
+    let chance = f32(hash(vec3u(tile, train)) >> 8u) / 16777216.0;
+    return InWindow(found.x, found.yz, select(0.0, shares.x * shares.y, is_there), chance);
+}
+
+// All trains at a place, and how much of the windows' energy has been found. Each train is as high as its windows say; where two have it, its
+// phase goes from the one's to the other's, like that of phasor noise: their sum would be as high as chance has it, for good.
+struct AllTrains { sum: Trains, found: f32 }
+
+fn trains_at(point: MapPoint, depth: Metres, shore: Metres, footprint: Metres) -> AllTrains {
+    let place = among_windows(point);
+    let is_alone = !any(place.beyond > vec2f(0.0));
+    let h = max(depth, SHALLOWEST);
+    var all = AllTrains(NO_TRAINS, 0.0);
+    var t = 0u;
+    loop {
+        let about = bitcast<vec2f>(shore_words[1u + 2u * t]);
+        let now = bitcast<f32>(shore_words[2u + 2u * t].x);
+        let u = about.x * about.x * h / GRAVITY;
+        let regular = -max(shore, 0.0) / h * PHASE_ADDED * hyperbolic(2.0 * sqrt(u) / PHASE_ADDED);
+        var wave = vec2f(0.0);
+        var way = vec2f(0.0);
+        var energy = 0.0;
+        var found = 0.0;
+        var k = 0u;
+        loop {
+            let own = in_window(place, k, t);
+            let turns = (now - own.rest - regular) / WHOLE_TURN + own.chance;
+            let turn = sine_cosine(WHOLE_TURN * (turns - floor(turns) - 0.5));
+            let size = length(own.way);
+            wave -= sqrt(own.energy) * size * vec2f(turn.cosine, turn.sine);
+            way += own.energy * size * own.way;
+            energy += own.energy * size * size;
+            found += own.energy;
+            k++;
+            if (k == 4u) | is_alone { break; }
+        }
+        let k_here = u / (h * sqrt(hyperbolic(u)));
+        let seen = 1.0 - smoothstep(0.12, 0.4, footprint * k_here / WHOLE_TURN);
+        let height = about.y * sqrt(energy);
+        let drawn = seen * height / max(length(wave), 1e-6) * wave;
+        let steep = k_here / max(length(way), 1e-9) * way * vec2f(1.0, -1.0);
+        all.sum.z += drawn;
+        all.sum.cosines += steep * drawn.x;
+        all.sum.sines += steep * drawn.y;
+        all.sum.hidden += 0.5 * height * height * k_here * k_here * (1.0 - seen * seen);
+        all.found = found;
+        t++;
+        if t == SHORE_TRAINS { break; }
+    }
+    return all;
+}
+
+// The waves of the trains where a footprint shows them.
+fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, distance: Metres, footprint: Metres) -> ShoreWaves {
+    let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
+    let all = trains_at(point, depth, shore, footprint);
+    let omega = bitcast<f32>(shore_words[0].x);
+    let h = max(depth, SHALLOWEST);
+    let k_deep = omega * omega / GRAVITY;
+    let y = depth_number(k_deep * h);
+    let size = length(all.sum.z);
+    let share = wanted * all.found;
+    let deep = 2.0 * size * sqrt(wanted);
+    let slope = clamp(h / max(shore, 1.0), 0.01, 0.1);
+    let gamma = breaker_index(slope, deep, omega);
+    let breaks = breaking_depth(deep, k_deep, gamma);
+    let grown = deep * shoaling(y);
+    let height = select(grown, min(grown, gamma * breaks * broken_height(h / breaks, slope, gamma)), h < breaks);
+    let bore = 1.0 - smoothstep(0.75, 1.0, h / max(breaks, 1e-3));
+    let turn = all.sum.z / max(size, 1e-6);
+    let shape = wave_shape(height, y, h, bore);
+    // The shape begins with a rise, the sum with a crest.
+    let surface = wave_surface(shape, vec2f(-turn.y, turn.x));
+    let local = (turn.x * all.sum.cosines + turn.y * all.sum.sines) / max(size, 0.2 * deep + 1e-4);
+    let steepest = 2.0 * y / h;
+    let k = local * min(steepest / max(length(local), 1e-6), 1.0);
+    let growth = (turn.x * all.sum.sines - turn.y * all.sum.cosines) / max(size, 1e-4);
+    let half = 0.5 * height;
+    let tilt = half * (-surface.y * k + (1.0 - bore) * surface.x * growth);
+    let theta = angle_of(turn.y, turn.x);
+    let since = theta + 0.5 + select(0.0, WHOLE_TURN, theta < -0.5);
+    return ShoreWaves(half * surface.x, tilt, bore * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * all.sum.hidden);
+}
+
+// What the trains leave of the sea at a place: of the first and the second patch, and of the height of all.
+fn left_by_trains(sea: LocalSea, share: f32) -> LocalSea {
+    let taken = bitcast<f32>(shore_words[SHORE_TABLE - 1u].x);
+    let left = sqrt(max(1.0 - vec3f(TRAINS_TAKE_FIRST, TRAINS_TAKE_SECOND, taken) * share, vec3f(0.0)));
+    return LocalSea(sea.gains * vec4f(left.xy, 1.0, 1.0), sea.height * left.z);
+}

@@ -1,0 +1,149 @@
+//! What becomes of a wave between the depth where it feels the bottom and the beach: shape, breaking, decay, run-up.
+//!
+//! Letters: H height of a single wave, m; h depth, m; k wave number, rad/m; ω angular frequency, rad/s; L₀ = 2πg/ω² its length in deep
+//! water; m slope of the bed. `shaders/lib/surf.wgsl` does the same in 32 bits, but for the run-up, which is not drawn.
+
+use super::GRAVITY;
+use super::dispersion::{shoaling, wavenumber};
+use super::sea_bed::smoothstep;
+
+/// How fast a broken wave loses what it has above a stable height, and that height over the depth
+/// ([Dally](crate::bibliography::Dally1985)'s κ and Γ).
+pub const DECAY: f64 = 0.15;
+/// See [`DECAY`].
+pub const STABLE: f64 = 0.4;
+/// Least height over depth in which waves break.
+pub const LEAST_INDEX: f64 = 0.45;
+/// r of the shape of a bore: a steep front and a long back.
+pub const BORE: f64 = 0.85;
+
+/// Height of a wave over the depth in which it breaks, on a bed of slope `m`: six tenths of [Weggel](crate::bibliography::Weggel1972)'s, which
+/// is that of single waves on a level bed in the laboratory. The heights of a random sea are then those of
+/// [Battjes and Janssen](crate::bibliography::Battjes1978), within a tenth. `height` is the breaker's, m.
+pub fn breaker_index(m: f64, height: f64, omega: f64) -> f64 {
+    let steepness = height * omega * omega / (std::f64::consts::TAU * std::f64::consts::TAU * GRAVITY);
+    let weggel = 1.56 / (1.0 + libm::exp(-19.5 * m)) - 43.75 * (1.0 - libm::exp(-19.0 * m)) * steepness;
+    (0.6 * weggel).clamp(LEAST_INDEX, 1.1)
+}
+
+/// Depth, m, in which a wave that comes straight in, `deep` m high in deep water of wave number `k_deep`, is `gamma` times as high as the
+/// water is deep. Green's law gives it in closed form; the second factor makes up for what that lacks of shoaling: within 0.5 %.
+pub fn breaking_depth(deep: f64, k_deep: f64, gamma: f64) -> f64 {
+    let shallow = libm::pow(deep / gamma, 0.8) * libm::pow(4.0 * k_deep, -0.2);
+    shallow * (1.0 + 0.22 * k_deep * shallow)
+}
+
+/// Height over breaker height of a broken wave where the depth is `y` times that of breaking, on a bed of slope `m`
+/// ([Dally](crate::bibliography::Dally1985)); `gamma` is its height over the depth in which it broke. 1 for y >= 1.
+pub fn broken(y: f64, m: f64, gamma: f64) -> f64 {
+    // At κ/m = 5/2 numerator and denominator of α vanish: a slope beside it.
+    let at = DECAY / m;
+    let at = if (at - 2.5).abs() < 5e-3 { 2.505 } else { at };
+    let y = y.clamp(0.0, 1.0);
+    let alpha = at * (STABLE / gamma) * (STABLE / gamma) / (2.5 - at);
+    libm::sqrt(((1.0 + alpha) * libm::pow(y, at - 0.5) - alpha * y * y).max(0.0))
+}
+
+/// The shape of a wave, after [Abreu and others](crate::bibliography::Abreu2010): `r` says how far it is from a sine, `phase` whether its
+/// crest is high (-π/2) or its front steep (0).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// r, 0 to below 1.
+    pub r: f64,
+    /// φ, radians.
+    pub phase: f64,
+}
+
+impl Shape {
+    /// Of a wave `height` m high with wave number `k` over a depth of `h` m, by its Ursell number
+    /// ([Ruessink and others](crate::bibliography::Ruessink2012)); `bore`, 0 to 1, of a broken one.
+    pub fn new(height: f64, k: f64, h: f64, bore: f64) -> Self {
+        let ursell = 0.375 * height * k / libm::pow(k * h, 3.0).max(1e-9);
+        if ursell < 1e-6 {
+            return Self { r: 0.0, phase: -std::f64::consts::FRAC_PI_2 };
+        }
+        let skew = 0.857 / (1.0 + libm::exp((-0.471 - libm::log10(ursell)) / 0.297));
+        let b = std::f64::consts::SQRT_2 * skew / libm::sqrt(9.0 + 2.0 * skew * skew);
+        let psi = -std::f64::consts::FRAC_PI_2 * (1.0 - libm::tanh(0.815 / libm::pow(ursell, 0.672)));
+        let (r, phase) = (2.0 * b / (1.0 + b * b), -psi - std::f64::consts::FRAC_PI_2);
+        Self { r: r + (BORE - r) * bore, phase: phase * (1.0 - bore) }
+    }
+
+    /// The surface over its mean level at a phase (radians, growing with time), per half of the height, and its derivative. Whatever the
+    /// shape, it has the mean square of a sine, so that energies stay.
+    pub fn surface(self, phase: f64) -> [f64; 2] {
+        let f = libm::sqrt(1.0 - self.r * self.r);
+        let scale = libm::sqrt(0.5 * f * (1.0 + f));
+        let (sin, cos) = libm::sincos(phase);
+        let (sin_moved, cos_moved) = libm::sincos(phase + self.phase);
+        let (rise, below) = (sin + self.r * libm::sin(self.phase) / (1.0 + f), 1.0 - self.r * cos_moved);
+        [scale * rise / below, scale * (cos * below - rise * self.r * sin_moved) / (below * below)]
+    }
+}
+
+/// Trains that come together at a place: Σ A e^{iθ}, and Σ k A cos θ and Σ k A sin θ along their ways, in any two axes. θ is 0 at a crest and
+/// grows with time; the amplitudes A, m, are those of deep water.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TrainSum {
+    /// The first.
+    pub z: [f64; 2],
+    /// The second.
+    pub cosines: [f64; 2],
+    /// The third.
+    pub sines: [f64; 2],
+}
+
+/// The water at a place of a shore.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfWave {
+    /// Over the mean level, m.
+    pub rise: f64,
+    /// Its slope, along the axes of the sum.
+    pub slope: [f64; 2],
+    /// Of the wave that the place is in, m.
+    pub height: f64,
+    /// How far that has broken, 0 to 1.
+    pub bore: f64,
+}
+
+impl TrainSum {
+    /// The water over a depth of `h` m, `shore` m from the shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
+    /// frequency.
+    pub fn wave(&self, omega: f64, h: f64, shore: f64, energy: f64) -> SurfWave {
+        let h = h.max(super::shore_waves::SHALLOWEST_M);
+        let k_deep = omega * omega / GRAVITY;
+        let k = wavenumber(omega, h);
+        let size = libm::hypot(self.z[0], self.z[1]);
+        let deep = 2.0 * size * libm::sqrt(energy);
+        let m = (h / shore.max(1.0)).clamp(0.01, 0.1);
+        let gamma = breaker_index(m, deep, omega);
+        let breaks = breaking_depth(deep.max(1e-6), k_deep, gamma);
+        let grown = deep * shoaling(k, h);
+        let height = if h < breaks { grown.min(gamma * breaks * broken(h / breaks, m, gamma)) } else { grown };
+        let bore = 1.0 - smoothstep(0.75, 1.0, h / breaks.max(1e-3));
+        let turn = self.z.map(|part| part / size.max(1e-6));
+        // The shape begins with a rise, the sum with a crest.
+        let phase = libm::atan2(turn[1], turn[0]) + std::f64::consts::FRAC_PI_2;
+        let [rise, tilt] = Shape::new(height, k, h, bore).surface(phase);
+        let along = |axis: usize| turn[0] * self.cosines[axis] + turn[1] * self.sines[axis];
+        let local = [along(0), along(1)].map(|k| k / size.max(0.2 * deep + 1e-4));
+        let length = libm::hypot(local[0], local[1]).max(1e-6);
+        // Between two crests of different ways the sum has no direction, and turns as quickly as it likes.
+        let bound = (2.0 * k / length).min(1.0);
+        let slope = [0, 1].map(|axis| {
+            let growth = (turn[0] * self.sines[axis] - turn[1] * self.cosines[axis]) / size.max(1e-4);
+            0.5 * height * (-tilt * bound * local[axis] + (1.0 - bore) * rise * growth)
+        });
+        SurfWave { rise: 0.5 * height * rise, slope, height, bore }
+    }
+}
+
+/// Height, m, that the highest fiftieth of the run-ups of a sea pass, from a deep-water significant height of `hs` m and a peak frequency
+/// `omega`, on a beach of slope `m` ([Stockdon and others](crate::bibliography::Stockdon2006), all of their beaches alike).
+pub fn runup(hs: f64, omega: f64, m: f64) -> f64 {
+    let steep = libm::sqrt(hs * std::f64::consts::TAU * GRAVITY / (omega * omega));
+    if m / libm::sqrt(hs * omega * omega / (std::f64::consts::TAU * GRAVITY)) < 0.3 {
+        return 0.043 * steep;
+    }
+    1.1 * (0.35 * m * steep + 0.5 * steep * libm::sqrt(0.563 * m * m + 0.004))
+}

@@ -1,0 +1,32 @@
+//! Waves by a shore: what `sample` tells of the water is what is drawn.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::cli::sample::{SampleArgs, sample};
+use ocean_globe::renderer::Radiance;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+
+#[test]
+fn samples_by_a_shore_are_what_is_drawn() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let (mut highest, mut shallowest) = (0.0f64, f64::INFINITY);
+    // From 130 m before the Dutch coast to 860 m, at instants that show crests and troughs.
+    for (place, second) in ["52.0969,4.2548", "52.0977,4.2530", "52.0990,4.2490", "52.1005,4.2450"]
+        .into_iter()
+        .flat_map(|p| [(p, 0), (p, 2), (p, 5)])
+    {
+        let sea = format!("wind=9@310&swell=1.2,9,320&clouds=0&time=2026-06-21T11:00:0{second}Z");
+        let args = SampleArgs { at: place.into(), state: format!("#{sea}"), data: DATA.into(), ..Default::default() };
+        let found = sample(&args).unwrap();
+        let (wanted, depth) = (found["surface"]["height_m"].as_f64().unwrap(), found["depth_m"].as_f64().unwrap());
+        let state = render::parse_state(&format!("#view={place},40,0,0&{sea}")).unwrap();
+        let drawn =
+            render::measure(&mut renderer, &state, [257, 257], LayerName::Height).unwrap().values[128 * 257 + 128];
+        println!("{place}, {depth:.1} m deep, second {second}: sample {wanted:.3} m, drawn {drawn:.3} m");
+        // Cells half a metre wide on slopes up to 0.3 make 0.08 m.
+        assert!((wanted - drawn).abs() < 0.08, "{place}, second {second}: {wanted} against {drawn}");
+        highest = highest.max(wanted.abs());
+        shallowest = shallowest.min(depth);
+    }
+    assert!(highest > 0.5 && shallowest < 3.5, "waves of {highest} m, down to {shallowest} m of depth");
+}
