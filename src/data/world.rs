@@ -23,7 +23,9 @@ use super::water::OwnShores;
 use super::{SharedTexels, TileTexels};
 use crate::error::{Error, Result};
 use crate::model::sea_bed::USUAL_SLOPE;
-use answer::{deepest, load, stored};
+#[cfg(not(target_arch = "wasm32"))]
+use answer::load;
+use answer::{deepest, stored};
 use cache::Cache;
 pub use shore_bed::{SHORE_LEVEL, SHORE_SIDE};
 use shores::Unfinished;

@@ -33,7 +33,7 @@ pub enum SpectrumKind {
     Tma,
     /// Elfouhaily and others: one spectrum from swell to ripples.
     Elfouhaily,
-    /// A sum of sines, see [`modes`](super::modes).
+    /// A sum of sines, see [`super::modes`].
     Sines,
     /// A sum of Gerstner waves, likewise.
     Gerstner,
