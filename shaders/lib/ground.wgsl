@@ -12,7 +12,7 @@ const BEACH: Metres = 50.0;     // how wide beaches are
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
 
-const STANDING = 0.25;           // slope of a crown whose cap rises by its whole height a cell
+const STANDING = 0.3;            // slope of a crown whose cap rises by its whole height a cell
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -49,9 +49,9 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
             albedo = detailed_albedo(albedo, green, detail, standing.height);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
-            let stands = select(STANDING * green, 0.0, is_bed) * standing.rise;
-            let hills = east_north_of(point, (rough * detail.rise + stands) * vec2f(1.0, -1.0));
-            shaded = normalize(normal - hills.x * east - hills.y * north);
+            let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
+            let crowns = select(STANDING * green, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
+            shaded = normalize(normal - (hills.x + crowns.x) * east - (hills.y + crowns.y) * north);
             // Rock stands out where it is steep, more of it on this slope than on that.
             let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) + 0.1 * detail.tone);
             albedo = mix(albedo, ROCK, 0.7 * steep);

@@ -80,7 +80,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
 // How far the ground is green.
 fn greenness(albedo: vec3f) -> f32 { return saturate(3.0 * (albedo.g - 0.5 * (albedo.r + albedo.b)) / albedo.g); }
 
-const CANOPY = 0.75;               // how much brighter than the mean a crown's top is, a cap's height
+const CANOPY = 0.6;                // how much brighter than the mean a crown's top is, a cap's height
 const SHRUB = vec3f(-0.95, -0.82, -0.78);
 
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, and what stands on it.

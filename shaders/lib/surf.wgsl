@@ -44,7 +44,9 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     // The white water of this crest, and of those before it, which have broken as often as those of this height do.
     let often = exp(-pow(frame.surf.z * deep / max(0.7071 * waves.height, 1e-3), 2.0));
     let older = exp(-(waves.age + period) / lasts);
-    let crests = 1.0 - (1.0 - waves.bore * exp(-waves.age / lasts)) * (1.0 - waves.bore * often * older);
+    // A wave that has just begun to break is white along its crest alone.
+    let torn = waves.bore * waves.bore;
+    let crests = 1.0 - (1.0 - torn * exp(-waves.age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
     let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (sqrt(9.81 * deep) * period)));
     return mix(mean, crests, near);
 }
