@@ -98,6 +98,9 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
         let shore = shore.filter(|_| state.settings.quality != Quality::Low);
         let found = seas.sample_by_shore(&state.settings, (lat, lon), unix_seconds, depth_m, gains, shore);
         let mut surface = serde_json::to_value(found).map_err(json)?;
+        // What `sampleSurface` tells, which knows no land.
+        let open = seas.sample(&state.settings, lat, lon, unix_seconds, f64::INFINITY);
+        surface["open_sea"] = serde_json::json!({ "height_m": open.height_m, "normal_enu": open.normal_enu });
         surface["height_over_geoid_m"] = over_rest_m(found.height_m).into();
         surface["height_over_ellipsoid_m"] = (over_rest_m(found.height_m) + geoid_m).into();
         surface["time"] = SceneTime::At(unix_seconds).to_string().into();

@@ -39,6 +39,11 @@ fn slopes_are_those_of_the_ground_to_the_east_and_north() {
             if Projection::for_latitude(lat) != Projection::for_latitude(state.camera.lat) {
                 continue;
             }
+            // Nor do they show how land is shaped to lakes of the table.
+            let lake_m = world.sample_blocking(lat, lon).unwrap().lake_distance_m;
+            if lake_m.is_some_and(|distance_m| distance_m > -2.0 * STEP_M) {
+                continue;
+            }
             counted += 1;
             let mut elevation = |north: f64, east: f64| {
                 let (lat, lon) = (lat + north / WGS84.a, lon + east / (WGS84.a * lat.cos()));

@@ -17,7 +17,7 @@ use crate::tone::displayed;
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SEA: &str = "bft=8&quality=low&time=2026-11-20T12:00:00Z&rate=0";
 /// Off the Canary Islands: the shore is a kilometre away and in the last pictures.
-const ENDS: [&str; 2] = ["view=28,-14,3e7&clouds=0", "view=28.82,-13.785,2,285,80&clouds=0"];
+const ENDS: [&str; 2] = ["view=28,-14,3e7&clouds=0", "view=28.825,-13.79,2,285,80&clouds=0"];
 const CLOUDY_ENDS: [&str; 2] = ["view=28,-14,3e7&clouds=0.45", "view=28.825,-13.79,2,285,80&clouds=0.45"];
 const FRAMES: usize = 600;
 /// The 99.9th percentile is the ninth pixel: one that flips is no pop.

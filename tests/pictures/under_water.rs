@@ -2,6 +2,8 @@
 
 use glam::{DVec2, DVec3};
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::exposure::{Found, Water};
+use ocean_globe::data::tile::Layer;
 use ocean_globe::data::world::World;
 use ocean_globe::gpu::texture::{self, Shape};
 use ocean_globe::model::earth::{self, Geodetic, WGS84};
@@ -9,6 +11,7 @@ use ocean_globe::model::optics::WATER_INDEX;
 use ocean_globe::model::sun;
 use ocean_globe::renderer::{Radiance, Renderer, TARGET_FORMAT};
 use ocean_globe::scene::frame::{Frame, LENS_M};
+use ocean_globe::scene::sea::shelter::of_patches;
 use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::state::ViewState;
 
@@ -185,7 +188,16 @@ impl Film {
 }
 
 /// The row where the model's water stands in a column of a picture, at the lens; from 0 to 1, downwards.
-fn model_row(renderer: &mut Renderer, state: &ViewState, eye: &Camera, instant: f64, x: f64) -> f64 {
+fn model_row(film: (&mut Renderer, &mut World), state: &ViewState, eye: &Camera, instant: f64, x: f64) -> f64 {
+    let (renderer, world) = film;
+    let seas = renderer.seas_mut();
+    let tables = seas.tables(&state.settings);
+    let mut look = |id| match world.tile_blocking(Layer::Water, id) {
+        Ok(Some(texels)) => Found::Tile(texels),
+        _ => Found::Absent,
+    };
+    let sea = (&tables, state.settings.wind_from());
+    let gains = of_patches(seas.shelter.at(sea, (Water::Ocean, eye.lat, eye.lon), &mut look).unwrap());
     let axes = eye.basis_enu();
     let half = f64::to_radians(22.5).tan();
     let from_enu = earth::ecef_from_enu(eye.lat, eye.lon);
@@ -194,7 +206,7 @@ fn model_row(renderer: &mut Renderer, state: &ViewState, eye: &Camera, instant: 
     for _ in 0..4 {
         let lens = LENS_M * (axes.forward + (2.0 * x - 1.0) * half * aspect * axes.right + up * half * axes.up);
         let place = WGS84.geodetic_from_ecef(eye.eye_ecef() + from_enu * DVec3::new(lens.x, lens.y, 0.0)).unwrap();
-        let water = renderer.seas_mut().sample(&state.settings, place.lat, place.lon, instant, 3.47).height_m;
+        let water = seas.sample_in(&state.settings, (place.lat, place.lon), instant, 3.47, gains).height_m;
         up += (water - eye.altitude_m - lens.z) / (LENS_M * half * axes.up.z);
     }
     0.5 - 0.5 * up
@@ -206,6 +218,8 @@ fn the_water_before_the_lens_stands_where_the_waves_are() {
     let mut film = Film::new();
     film.renderer.set_clear_colour(wgpu::Color { r: 1.0, g: 0.0, b: 0.0, a: 1.0 });
     let state = state(&format!("#view={SHALLOWS},-0.02,120,90&wind=3@90&{NOON}&layers=-land,-sea,-sky"));
+    let mut world = World::open(DATA);
+    world.sample_blocking(state.camera.lat, state.camera.lon).unwrap();
     let mut rows = Vec::new();
     let mut worst: f64 = 0.0;
     for instant in instants(&state) {
@@ -214,7 +228,7 @@ fn the_water_before_the_lens_stands_where_the_waves_are() {
             let is_air = |y: u32| picture[4 * (y * SIZE[0] + column) as usize] > 128;
             let drawn = (0..SIZE[1]).take_while(|&y| is_air(y)).count() as f64 / f64::from(SIZE[1]);
             let x = (f64::from(column) + 0.5) / f64::from(SIZE[0]);
-            let model = model_row(&mut film.renderer, &state, &eye, instant, x).clamp(0.0, 1.0);
+            let model = model_row((&mut film.renderer, &mut world), &state, &eye, instant, x).clamp(0.0, 1.0);
             worst = worst.max((drawn - model).abs());
             rows.push(drawn);
         }
