@@ -90,7 +90,7 @@ impl Shores<'_> {
         let (fx, fy) = (gx - i, gy - j);
         // Mostly all four are one tile's.
         let within = |at: f64| {
-            (at >= 0.0 && at < side - 1.0).then(|| at as usize).filter(|at| at % TILE_TEXELS != TILE_TEXELS - 1)
+            (at >= 0.0 && at < side - 1.0).then_some(at as usize).filter(|at| at % TILE_TEXELS != TILE_TEXELS - 1)
         };
         if let (Some(i), Some(j)) = (within(i), within(j)) {
             let [x, y] = [i, j].map(|at| (at / TILE_TEXELS) as u32);

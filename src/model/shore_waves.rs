@@ -134,7 +134,7 @@ impl Following {
     }
 
     /// R as the neighbours of a node on an axis have it, and which way the waves come along that: infinite where none do.
-    fn from_axis(&self, bed: &Bed, at: usize, axis: usize) -> (f64, f64) {
+    fn along_axis(&self, bed: &Bed, at: usize, axis: usize) -> (f64, f64) {
         let n = bed.side;
         let (place, stride) = if axis == 0 { (at % n, 1) } else { (at / n, n) };
         let drift = self.slope[at][axis] * bed.step_m[at / n];
@@ -148,7 +148,7 @@ impl Following {
         if self.is_seed[at] || !bed.is_wet(at) {
             return 0.0;
         }
-        let ((x, _), (y, _)) = (self.from_axis(bed, at, 0), self.from_axis(bed, at, 1));
+        let ((x, _), (y, _)) = (self.along_axis(bed, at, 0), self.along_axis(bed, at, 1));
         if x.min(y) == f64::INFINITY {
             return 0.0;
         }
@@ -199,7 +199,7 @@ impl Following {
             let mut way = [0.0; 2];
             let mut from = [at; 2];
             for axis in 0..2 {
-                let (rest, sign) = self.from_axis(bed, at, axis);
+                let (rest, sign) = self.along_axis(bed, at, axis);
                 let stride = if axis == 0 { 1 } else { n };
                 way[axis] = if rest.is_finite() { sign * (self.rest[at] - rest).max(0.0) } else { 0.0 };
                 from[axis] = if sign > 0.0 { at.saturating_sub(stride) } else { (at + stride).min(n * n - 1) };

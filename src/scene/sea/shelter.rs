@@ -68,6 +68,7 @@ const KNOWN: u32 = 1;
 const OPEN: u32 = 2;
 
 /// The gains around an eye, and whatever has been found for them.
+#[derive(Default)]
 pub struct Shelter {
     windows: [Window; LEVELS],
     nodes: Vec<Node>,
@@ -80,22 +81,6 @@ pub struct Shelter {
     seas: u64,
     revision: u64,
     is_busy: bool,
-}
-
-impl Default for Shelter {
-    fn default() -> Self {
-        Self {
-            windows: Default::default(),
-            nodes: Vec::new(),
-            tiles: ShoreTiles::default(),
-            sea: None,
-            sampled: HashMap::new(),
-            done: None,
-            seas: 0,
-            revision: 0,
-            is_busy: false,
-        }
-    }
 }
 
 impl Shelter {

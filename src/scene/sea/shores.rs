@@ -11,6 +11,7 @@
 //! go. A window is made a step at a time: one round of one train, some milliseconds.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use crate::data::fetch::now_s;
@@ -147,7 +148,7 @@ impl Shores {
         let mut may_go_on = || std::mem::take(&mut is_first) || now_s() < end;
         let mut complete = true;
         for tile in self.wanted.clone() {
-            if !self.windows.contains_key(&tile) {
+            if let Entry::Vacant(place) = self.windows.entry(tile) {
                 if !may_go_on() {
                     return false;
                 }
@@ -155,7 +156,7 @@ impl Shores {
                     complete = false;
                     continue;
                 };
-                self.windows.insert(tile, begun(bed));
+                place.insert(begun(bed));
             }
             while let Some(window @ Window::Making { .. }) = self.windows.get_mut(&tile) {
                 if !may_go_on() {
