@@ -106,7 +106,7 @@ fn decay_error(m: f64, period: f64, hrms0: f64) -> f64 {
             count += 1.0;
         }
     }
-    (sum / f64::from(count)).sqrt()
+    (sum / count).sqrt()
 }
 
 #[test]
