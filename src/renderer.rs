@@ -1,17 +1,15 @@
 //! Floor 5: owns the passes. [`Renderer::render`] is one frame, in order, the same in browser, window and headless.
 //!
 //! It is long, but one thing: whoever follows a frame reads it here from top to bottom; what hangs on its size, its surface, its mesh or on
-//! water before the eye has files of its own below.
+//! water before the eye, and what it needs of the world before it can be drawn, has files of its own below.
 
-use crate::data::sample::Sample;
 use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::world::World;
 use crate::error::Result;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
-use crate::model::optics::{DEEP_REFLECTANCE, opaque_depth_m};
-use crate::model::waves;
+use crate::model::optics::DEEP_REFLECTANCE;
 use crate::pass::air_table::AirTable;
 use crate::pass::city_lights::CityLights;
 use crate::pass::cloud_light::{self, CloudLight};
@@ -31,16 +29,15 @@ use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::sea::Seas;
-use crate::scene::sea::shores::{ShoreWaves, Shores};
+use crate::scene::sea::shores::Shores;
 use crate::scene::settings::{self, Settings};
-use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
-use crate::scene::view::map_tiles::{Hiding, drawn_tiles, rugged_m, wanted_tiles};
-use crate::scene::view::navigate::above_ground;
-use crate::scene::view::state::ViewState;
+use crate::scene::view::camera::Camera;
+use crate::scene::view::map_tiles::rugged_m;
 
 mod below;
 mod cost;
 mod mesh;
+mod needs;
 mod surface;
 mod targets;
 
@@ -53,10 +50,6 @@ pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
 const REPLAY_STEPS: [usize; 2] = [2, 13];
-/// Seconds that a frame may spend on finding where land stands in the sea's way, of a moving picture and of a still one.
-const SHELTER_S: [f64; 2] = [0.003, 0.03];
-/// For how long a frame of a program may make windows of waves by shores, seconds; a step that has been begun takes as long again.
-const SHORE_SECONDS: f64 = 3e-3;
 /// Updates of the bisected mesh in a frame, of a moving picture and of a still one.
 const MESH_UPDATES: [u32; 2] = [2, 16];
 
@@ -164,46 +157,6 @@ impl Renderer {
             seas: Seas::default(),
             shores: Shores::default(),
         }
-    }
-
-    /// Asks for the tiles that a frame needs; true when all have come (or will never come).
-    pub fn load(&mut self, frame: &Frame) -> bool {
-        let camera = &frame.camera;
-        self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
-        let wanted = wanted_tiles(camera, frame.size, &self.streaming);
-        let is_sheltered = self.shelter(frame);
-        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
-        self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
-        let hiding = self.hiding(frame);
-        self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
-        let side = self.side(frame);
-        let shows_trains = side.shows_surf && frame.is_fine() && self.complete;
-        let seconds = if self.seas.is_spread() { SHORE_SECONDS } else { f64::INFINITY };
-        self.complete &= self.shores.prepare(&mut self.world, frame, shows_trains, seconds);
-        self.complete
-    }
-
-    /// Finds where land stands in the way of a frame's sea; true when that is known.
-    fn shelter(&mut self, frame: &Frame) -> bool {
-        let (camera, world) = (&frame.camera, &mut self.world);
-        let budget_s = SHELTER_S[usize::from(!self.moving)];
-        let mut look = |id| world.look(Layer::Water, id);
-        let eye = (camera.lat, camera.lon, camera.altitude_m);
-        self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut look)
-    }
-
-    /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
-    fn hiding(&mut self, frame: &Frame) -> Option<Hiding> {
-        let side = self.side(frame);
-        let covers = frame.uniform.layers & SHOWS_SEA != 0 && !side.kind.under_water;
-        let depth_m = opaque_depth_m(f64::from(frame.uniform.water_density));
-        let beach_slope = f64::from(frame.uniform.shore.x);
-        covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m(), beach_slope })
-    }
-
-    /// How wide a cell of the terrain's source is, metres.
-    fn resolution_m(&self) -> f64 {
-        self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0)
     }
 
     /// Replays the foam's history for a frame, all but the step that the frame itself makes, and lets the bisected mesh come to
@@ -365,19 +318,6 @@ impl Renderer {
         side
     }
 
-    /// Where the eye of a frame is.
-    fn side(&mut self, frame: &Frame) -> Side {
-        let (lat, lon) = (frame.camera.lat, frame.camera.lon);
-        let place = self.world.sample_resident(lat, lon);
-        let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
-        Side::of(frame, place.as_ref(), shore.as_ref(), self.radiance_format == Radiance::Half.format())
-    }
-
-    /// The trains of waves of a shore at a place, where their windows are there.
-    fn shore_waves(&self, place: &Sample, at: (f64, f64), ticks: u64) -> Option<ShoreWaves> {
-        self.shores.waves_at(at, place.depth_m?, place.shore_distance_m?, ticks)
-    }
-
     /// Makes the textures of the picture's size.
     fn fit(&mut self, frame: &Frame) {
         // From space there are no edges but the limb's, which its own shader makes smooth.
@@ -395,27 +335,6 @@ impl Renderer {
             clouds.set_scene(&targets.scene_depth);
         }
         self.targets = Some(targets);
-    }
-
-    /// The eye that a state asks for, where it can be: a metre over the ground and the waves, or, for a negative altitude over
-    /// the ocean, in the water above its bed.
-    pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
-        let asked = state.camera;
-        self.world.set_beach_slope(state.settings.surf.beach_slope);
-        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
-            return self.seas.eye(state, unix_seconds);
-        };
-        let Some(depth_m) = place.depth_m else { return above_ground(&asked, place.elevation_m) };
-        let ridden = self.seas.eye(state, unix_seconds);
-        let crest_m = self.seas.drawn(&state.settings).crest_m();
-        let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
-            let shore = self.shore_waves(&place, (asked.lat, asked.lon), waves::ticks_from_unix(unix_seconds));
-            let (level, rise_m) = shore.map_or((1.0, 0.0), |shore| (shore.level, shore.wave.rise));
-            level * self.seas.surface_height(&state.settings, &asked, unix_seconds) + rise_m + LOWEST_M
-        } else {
-            OVER_BED_M - depth_m
-        };
-        Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
     }
 
     /// The frame that `camera` sees at a UTC instant, `size` in pixels, in the sea that is drawn.

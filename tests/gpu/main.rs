@@ -6,6 +6,7 @@ mod bed;
 mod bisection;
 mod bloom;
 mod clouds;
+mod daylight;
 mod ensemble;
 mod exact;
 mod far_sea;
@@ -29,6 +30,8 @@ mod shore_trains;
 mod slope_moments;
 mod sparkle;
 mod spray;
+#[path = "../shared/summed.rs"]
+mod summed;
 mod surface_sample;
 mod translucence;
 mod under_water;

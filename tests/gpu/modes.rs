@@ -3,34 +3,17 @@
 use glam::{DVec2, DVec3};
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::model::earth::{self, WGS84};
-use ocean_globe::model::modes::{Mode, frequency};
-use ocean_globe::model::moved_water::{Motion, Place};
+use ocean_globe::model::moved_water::Place;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::sea::Seas;
 
+use crate::summed::summed;
 use crate::water::NOON;
 
 const SIDE: u32 = 65;
 /// Latitudes of places with waves of their own.
 const PLACES: [f64; 6] = [35.68, 34.3, 33.1, 31.2, 29.7, 27.6];
-
-/// The motion that waves a cos(k·x − ωt + φ) make at patch coordinates `at`, m, at noon: written out.
-fn summed(modes: &[Mode], cascade: usize, at: DVec2) -> Motion {
-    let mut sum = Motion::default();
-    for mode in modes.iter().filter(|mode| mode.cascade == cascade) {
-        let (k, a) = (DVec2::from(mode.wave_vector), 2.0 * DVec2::from(mode.h0).length());
-        let (sin, cos) = (k.dot(at) - frequency(mode) * NOON + mode.h0[1].atan2(mode.h0[0])).sin_cos();
-        let along = k / k.length();
-        sum += Motion {
-            height: a * cos,
-            shift: -a * sin * along,
-            slope: -a * sin * k,
-            stretch: -a * cos * DVec3::new(k.x * along.x, k.y * along.y, k.x * along.y),
-        };
-    }
-    sum
-}
 
 #[test]
 fn heights_and_slopes_of_pictures_are_those_of_the_sums() {
@@ -56,7 +39,7 @@ fn heights_and_slopes_of_pictures_are_those_of_the_sums() {
                 let hit = eye.unproject_onto(&level, DVec2::new(column, row), DVec2::splat(f64::from(SIDE))).unwrap();
                 let at = WGS84.geodetic_from_ecef(hit).unwrap();
                 let place = Place::new(&tables, state.settings.wind_from(), at.lat, at.lon);
-                let (_, motion) = place.invert(chop, |cascade, at| summed(&modes, cascade, at));
+                let (_, motion) = place.invert(chop, |cascade, at| summed(&modes, cascade, at, NOON));
                 let wanted_m = motion.height - tables.chop_level_m;
                 let slope = DVec2::from(motion.chop_gradient(chop).true_slope(motion.slope.x, motion.slope.y));
                 let drawn = DVec3::from_slice(&normal.values[3 * index..3 * index + 3]);

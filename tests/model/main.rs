@@ -26,6 +26,8 @@ mod spectra_oracles;
 mod spectrum;
 mod spray;
 mod stalls;
+#[path = "../shared/summed.rs"]
+mod summed;
 mod sun;
 mod surf;
 mod wave_trains;

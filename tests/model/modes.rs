@@ -1,8 +1,7 @@
 //! Seas of single waves: 32 of equal energy that are the spectrum's in few.
 
-use glam::{DVec2, DVec3};
-use ocean_globe::model::modes::{COUNT, Mode, frequency};
-use ocean_globe::model::moved_water::{Motion, Place};
+use ocean_globe::model::modes::{COUNT, Mode};
+use ocean_globe::model::moved_water::Place;
 use ocean_globe::model::sea::{Sea, SpectrumKind, Swell};
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
@@ -10,29 +9,13 @@ use ocean_globe::model::waves::{cascades, initial_amplitudes};
 use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::{Quality, Settings};
 
+use crate::summed::summed;
+
 const SEEDS: [u32; 4] = [0, 1, 2, 77];
 const SPEEDS_MPS: [f64; 6] = [1.5, 4.0, 8.0, 13.0, 20.0, 32.0];
 
 fn sea(kind: SpectrumKind, speed_mps: f64, seed: u32, chop: f64) -> Sea {
     Sea::new(speed_mps, kind, None, None, seed, chop)
-}
-
-/// The motion that waves a cos(k·x − ωt + φ) make at patch coordinates `at`, m, and `t_s` seconds since 1970: written out from the textbook.
-pub fn summed(modes: &[Mode], cascade: usize, at: DVec2, t_s: f64) -> Motion {
-    let mut sum = Motion::default();
-    for mode in modes.iter().filter(|mode| mode.cascade == cascade) {
-        let (k, a) = (DVec2::from(mode.wave_vector), 2.0 * DVec2::from(mode.h0).length());
-        let phase = k.dot(at) - frequency(mode) * t_s + mode.h0[1].atan2(mode.h0[0]);
-        let (sin, cos) = phase.sin_cos();
-        let along = k / k.length();
-        sum += Motion {
-            height: a * cos,
-            shift: -a * sin * along,
-            slope: -a * sin * k,
-            stretch: -a * cos * DVec3::new(k.x * along.x, k.y * along.y, k.x * along.y),
-        };
-    }
-    sum
 }
 
 #[test]

@@ -1,0 +1,96 @@
+//! What a frame needs of the world before it can be drawn, tiles, lees and waves by shores, and where its eye can be.
+
+use super::below::Side;
+use super::{Radiance, Renderer};
+use crate::data::sample::Sample;
+use crate::data::tile::{Layer, Projection};
+use crate::model::optics::opaque_depth_m;
+use crate::model::waves;
+use crate::scene::frame::Frame;
+use crate::scene::frame::uniform::SHOWS_SEA;
+use crate::scene::sea::shores::ShoreWaves;
+use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
+use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
+use crate::scene::view::navigate::above_ground;
+use crate::scene::view::state::ViewState;
+
+/// Seconds that a frame may spend on finding where land stands in the sea's way, of a moving picture and of a still one.
+const SHELTER_S: [f64; 2] = [0.003, 0.03];
+/// For how long a frame of a program may make windows of waves by shores, seconds; a step that has been begun takes as long again.
+const SHORE_SECONDS: f64 = 3e-3;
+
+impl Renderer {
+    /// Asks for the tiles that a frame needs; true when all have come (or will never come).
+    pub fn load(&mut self, frame: &Frame) -> bool {
+        let camera = &frame.camera;
+        self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
+        let wanted = wanted_tiles(camera, frame.size, &self.streaming);
+        let is_sheltered = self.shelter(frame);
+        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
+        self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
+        let hiding = self.hiding(frame);
+        self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
+        let side = self.side(frame);
+        let shows_trains = side.shows_surf && frame.is_fine() && self.complete;
+        let seconds = if self.seas.is_spread() { SHORE_SECONDS } else { f64::INFINITY };
+        self.complete &= self.shores.prepare(&mut self.world, frame, shows_trains, seconds);
+        self.complete
+    }
+
+    /// Finds where land stands in the way of a frame's sea; true when that is known.
+    fn shelter(&mut self, frame: &Frame) -> bool {
+        let (camera, world) = (&frame.camera, &mut self.world);
+        let budget_s = SHELTER_S[usize::from(!self.moving)];
+        let mut look = |id| world.look(Layer::Water, id);
+        let eye = (camera.lat, camera.lon, camera.altitude_m);
+        self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut look)
+    }
+
+    /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
+    fn hiding(&mut self, frame: &Frame) -> Option<Hiding> {
+        let side = self.side(frame);
+        let covers = frame.uniform.layers & SHOWS_SEA != 0 && !side.kind.under_water;
+        let depth_m = opaque_depth_m(f64::from(frame.uniform.water_density));
+        let beach_slope = f64::from(frame.uniform.shore.x);
+        covers.then(|| Hiding { depth_m, resolution_m: self.resolution_m(), beach_slope })
+    }
+
+    /// How wide a cell of the terrain's source is, metres.
+    pub(super) fn resolution_m(&self) -> f64 {
+        self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0)
+    }
+
+    /// Where the eye of a frame is.
+    pub(super) fn side(&mut self, frame: &Frame) -> Side {
+        let (lat, lon) = (frame.camera.lat, frame.camera.lon);
+        let place = self.world.sample_resident(lat, lon);
+        let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
+        Side::of(frame, place.as_ref(), shore.as_ref(), self.radiance_format == Radiance::Half.format())
+    }
+
+    /// The trains of waves of a shore at a place, where their windows are there.
+    fn shore_waves(&self, place: &Sample, at: (f64, f64), ticks: u64) -> Option<ShoreWaves> {
+        self.shores.waves_at(at, place.depth_m?, place.shore_distance_m?, ticks)
+    }
+
+    /// The eye that a state asks for, where it can be: a metre over the ground and the waves, or, for a negative altitude over
+    /// the ocean, in the water above its bed.
+    pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
+        let asked = state.camera;
+        self.world.set_beach_slope(state.settings.surf.beach_slope);
+        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
+            return self.seas.eye(state, unix_seconds);
+        };
+        let Some(depth_m) = place.depth_m else { return above_ground(&asked, place.elevation_m) };
+        let ridden = self.seas.eye(state, unix_seconds);
+        let crest_m = self.seas.drawn(&state.settings).crest_m();
+        let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {
+            let shore = self.shore_waves(&place, (asked.lat, asked.lon), waves::ticks_from_unix(unix_seconds));
+            let (level, rise_m) = shore.map_or((1.0, 0.0), |shore| (shore.level, shore.wave.rise));
+            level * self.seas.surface_height(&state.settings, &asked, unix_seconds) + rise_m + LOWEST_M
+        } else {
+            OVER_BED_M - depth_m
+        };
+        Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
+    }
+}
