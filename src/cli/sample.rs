@@ -73,29 +73,40 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let mut seas = Seas::default();
     let tables = seas.tables(&state.settings);
     let gains = |world: &mut World, seas: &mut Seas, water| {
+        let mut failed = None;
         let mut look = |id| match world.tile_blocking(Layer::Water, id) {
             Ok(Some(texels)) => Found::Tile(texels),
-            _ => Found::Absent,
+            Ok(None) => Found::Absent,
+            Err(error) => {
+                failed.get_or_insert(error);
+                Found::Absent
+            }
         };
         let sea = (&tables, state.settings.wind_from());
-        of_patches(seas.shelter.at(sea, (water, lat, lon), &mut look).unwrap_or([1.0; RINGS]))
+        let found = of_patches(seas.shelter.at(sea, (water, lat, lon), &mut look).unwrap_or([1.0; RINGS]));
+        // A lee that a damaged tile hides must not be told as open sea.
+        failed.map_or(Ok(found), Err)
     };
     let height_m = |gains| serde_json::Value::from(tables.height_gain(gains) * tables.sea.hs_m);
     if let Some(depth_m) = sample.depth_m {
-        let gains = gains(&mut world, &mut seas, Water::Ocean);
-        let shore = sample.shore_distance_m.and_then(|shore_m| {
-            let mut shores = Shores::default();
-            let start = Instant::now();
-            while !shores.prepare_at(&mut world, (&tables, state.settings.wind_from()), lat, lon) {
-                world.poll();
-                if start.elapsed() > PATIENCE {
-                    return None;
+        let gains = gains(&mut world, &mut seas, Water::Ocean)?;
+        let shore = match sample.shore_distance_m.filter(|_| state.settings.quality != Quality::Low) {
+            None => None,
+            Some(shore_m) => {
+                let mut shores = Shores::default();
+                let start = Instant::now();
+                while !shores.prepare_at(&mut world, (&tables, state.settings.wind_from()), lat, lon) {
+                    world.poll();
+                    if start.elapsed() > PATIENCE {
+                        let why = format!("has not delivered the coast's tiles in {} s", PATIENCE.as_secs());
+                        let remedy = "try again, or leave out the waves of shores: `--state '#quality=low'`";
+                        return Err(Error::bad_data(&args.data, why, remedy));
+                    }
+                    std::thread::sleep(Duration::from_millis(1));
                 }
-                std::thread::sleep(Duration::from_millis(1));
+                shores.waves_at((lat, lon), depth_m, shore_m, waves::ticks_from_unix(unix_seconds))
             }
-            shores.waves_at((lat, lon), depth_m, shore_m, waves::ticks_from_unix(unix_seconds))
-        });
-        let shore = shore.filter(|_| state.settings.quality != Quality::Low);
+        };
         let found = seas.sample_by_shore(&state.settings, (lat, lon), unix_seconds, depth_m, gains, shore);
         let mut surface = serde_json::to_value(found).map_err(json)?;
         // What `sampleSurface` tells, which knows no land.
@@ -113,7 +124,7 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
         object["surface"] = serde_json::Value::Null;
     }
     if sample.class == WaterClass::Lake {
-        object["lake_hs_m"] = height_m(gains(&mut world, &mut seas, Water::Lake));
+        object["lake_hs_m"] = height_m(gains(&mut world, &mut seas, Water::Lake)?);
     }
     object["lat_deg"] = lat_deg.into();
     object["lng_deg"] = ((lon_deg + 180.0).rem_euclid(360.0) - 180.0).into();

@@ -64,7 +64,7 @@ impl NetCdf {
     pub fn read_row(&self, variable: &NcVariable, start: &[u64], count: u64) -> Result<Vec<f64>> {
         let row = self.row(variable, start, count)?;
         let values = self.file.read_variable_slice_unpacked_masked(&variable.name, &row);
-        values.map(|values| values.into_iter().collect()).map_err(|why| self.damaged(variable, why))
+        self.whole(variable, count, values.map(|values| values.into_iter().collect()))
     }
 
     /// As [`NetCdf::read_row`], the numbers as they are stored.
@@ -74,7 +74,22 @@ impl NetCdf {
     pub fn read_stored_row<T: NcReadable>(&self, variable: &NcVariable, start: &[u64], count: u64) -> Result<Vec<T>> {
         let row = self.row(variable, start, count)?;
         let values = self.file.read_variable_slice::<T>(&variable.name, &row);
-        values.map(|values| values.into_iter().collect()).map_err(|why| self.damaged(variable, why))
+        self.whole(variable, count, values.map(|values| values.into_iter().collect()))
+    }
+
+    /// A row that has as many values as were asked for.
+    fn whole<T>(
+        &self,
+        variable: &NcVariable,
+        count: u64,
+        values: std::result::Result<Vec<T>, netcdf_reader::Error>,
+    ) -> Result<Vec<T>> {
+        let values = values.map_err(|why| self.damaged(variable, why))?;
+        if values.len() as u64 != count {
+            let why = format!("has {} values of `{}` where there should be {count}", values.len(), variable.name);
+            return Err(Error::bad_data(&self.name, why, "it is cut short or damaged: get it again"));
+        }
+        Ok(values)
     }
 
     fn damaged(&self, variable: &NcVariable, why: netcdf_reader::Error) -> Error {

@@ -3,6 +3,8 @@
 //! Elevation models are of no one mind about lakes: of some they hold the bed, of others the surface, of most a mean of both and of the
 //! hills around.
 
+use super::sea_bed::smoothstep;
+
 /// A lake whose level is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lake {
@@ -123,13 +125,12 @@ pub fn at(lat: f64, lon: f64) -> Option<&'static Lake> {
 /// Elevation of the ground, m, at a signed distance in metres from the shore of a lake (positive in it) with a level and a margin
 /// ([`Lake::margin_m`]): in the lake the level; beside it a shore that rises from there. As `with_lake` of `shaders/lib/shelter.wgsl`.
 pub fn shaped(elevation_m: f64, lake_m: f64, level_m: f64, margin_m: f64) -> f64 {
-    let smooth = |t: f64| t * t * (3.0 - 2.0 * t);
     let over_m = elevation_m - level_m;
     if lake_m > 0.0 {
         return if over_m < margin_m { level_m } else { elevation_m };
     }
-    let out = smooth((-lake_m / SHORE_M).clamp(0.0, 1.0));
-    let others = smooth(((over_m / margin_m - OF_MARGIN) / (1.0 - OF_MARGIN)).clamp(0.0, 1.0));
+    let out = smoothstep(0.0, SHORE_M, -lake_m);
+    let others = smoothstep(OF_MARGIN, 1.0, over_m / margin_m);
     let least_m = (-SHORE_RISES[0] * lake_m).min(SHORE_RISES[1]);
     let shore_m = (out * over_m).max(least_m + out * (over_m - least_m).min(0.0));
     elevation_m + (1.0 - others) * (level_m + shore_m - elevation_m)

@@ -4,7 +4,6 @@
 //! Everything that feeds the waves or the numbers of a frame takes its transcendental functions from `libm`, never from the platform, so that
 //! a link gives the same sea and the same picture bit for bit natively and in WebAssembly.
 
-pub mod beach;
 pub mod cascade;
 pub mod clouds;
 pub mod cuboid;

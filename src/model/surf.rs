@@ -1,7 +1,8 @@
-//! What becomes of a wave between the depth where it feels the bottom and the beach: shape, breaking, decay, run-up.
+//! What becomes of a wave between the depth where it feels the bottom and the beach: shape, breaking, decay.
 //!
 //! Letters: H height of a single wave, m; h depth, m; k wave number, rad/m; ω angular frequency, rad/s; L₀ = 2πg/ω² its length in deep
-//! water; m slope of the bed. `shaders/lib/surf.wgsl` does the same in 32 bits, but for the run-up, which is not drawn.
+//! water; m slope of the bed. `shaders/lib/breakers.wgsl` does the same in 32 bits, and `shaders/lib/shore_trains.wgsl` what
+//! [`TrainSum::wave`] does.
 
 use super::GRAVITY;
 use super::dispersion::{shoaling, wavenumber};
@@ -136,14 +137,4 @@ impl TrainSum {
         });
         SurfWave { rise: 0.5 * height * rise, slope, height, bore }
     }
-}
-
-/// Height, m, that the highest fiftieth of the run-ups of a sea pass, from a deep-water significant height of `hs` m and a peak frequency
-/// `omega`, on a beach of slope `m` ([Stockdon and others](crate::bibliography::Stockdon2006), all of their beaches alike).
-pub fn runup(hs: f64, omega: f64, m: f64) -> f64 {
-    let steep = libm::sqrt(hs * std::f64::consts::TAU * GRAVITY / (omega * omega));
-    if m / libm::sqrt(hs * omega * omega / (std::f64::consts::TAU * GRAVITY)) < 0.3 {
-        return 0.043 * steep;
-    }
-    1.1 * (0.35 * m * steep + 0.5 * steep * libm::sqrt(0.563 * m * m + 0.004))
 }

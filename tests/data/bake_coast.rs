@@ -2,6 +2,7 @@
 
 use crate::small_world::{Folder, baked, coast};
 use ocean_globe::cli::bake::bake;
+use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::tile::{Layer, Projection, TileId};
 use ocean_globe::data::water::WaterClass;
 use ocean_globe::data::world::{DEEPEST_SHORES, Outcome, World};
@@ -156,6 +157,32 @@ fn a_damaged_tile_is_given_up_and_its_parent_serves() {
     assert!(failed.iter().all(|(_, why)| why.contains("gzip") || why.contains("tile")), "{failed:?}");
     // The parents were asked for by their children alone; elsewhere all is as before.
     assert_eq!(world.sample_blocking(0.3f64.to_radians(), 0.0).unwrap(), whole);
+}
+
+#[test]
+fn a_sample_beside_a_damaged_tile_is_refused_rather_than_told_as_open_sea() {
+    let folder = made("coast-sample");
+    let path = folder.path().join("water.pmtiles");
+    let data = folder.path().to_str().unwrap().to_owned();
+    let asked = |[lat, lon]: [f64; 2]| {
+        sample(&SampleArgs { at: format!("{lat},{lon}"), data: data.clone(), ..SampleArgs::default() })
+    };
+    let whole = fs::read(&path).unwrap();
+    let mut bytes = whole.clone();
+    let end = bytes.len();
+    bytes[end - 300..].iter_mut().for_each(|byte| *byte ^= 0x55);
+    fs::write(&path, bytes).unwrap();
+    // Sea whose own tiles are whole, and whose lee may lie in others.
+    let mut world = open(&folder);
+    let places = [54.5, 55.0, 56.0, 57.0].map(|lat| [lat, 63.0]);
+    let mut at = |[lat, lon]: [f64; 2]| world.sample_blocking(lat.to_radians(), lon.to_radians());
+    let mut is_sea = |place: &[f64; 2]| at(*place).is_ok_and(|found| found.class == WaterClass::Ocean);
+    let refused =
+        places.iter().filter(|place| is_sea(place)).find_map(|place| Some((*place, asked(*place).err()?.to_string())));
+    let (place, why) = refused.expect("a lee that cannot be known");
+    assert!(why.contains("gzip") || why.contains("tile"), "{why}");
+    fs::write(&path, whole).unwrap();
+    assert!(asked(place).is_ok());
 }
 
 #[test]

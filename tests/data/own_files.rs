@@ -132,12 +132,19 @@ pub fn geojson() -> String {
 
 /// Rings run clockwise about land in a Shapefile.
 pub fn shapefile() -> Vec<u8> {
-    let rings = rings().map(|mut ring| {
+    shapefile_of(&rings().map(|mut ring| {
         ring.reverse();
         ring
-    });
+    }))
+}
+
+/// A Shapefile of one record.
+pub fn shapefile_of(rings: &[Vec<[f64; 2]>]) -> Vec<u8> {
     let points: Vec<u8> = rings.iter().flatten().flatten().flat_map(|x| x.to_le_bytes()).collect();
-    let numbers = [2, rings[0].len() + rings[1].len(), 0, rings[0].len()].map(|x| (x as i32).to_le_bytes()).concat();
+    let mut ends = vec![0];
+    rings.iter().for_each(|ring| ends.push(ends[ends.len() - 1] + ring.len()));
+    let counts = [rings.len(), ends[rings.len()]];
+    let numbers: Vec<u8> = counts.iter().chain(&ends[..rings.len()]).flat_map(|x| (*x as i32).to_le_bytes()).collect();
     let record = [&5i32.to_le_bytes()[..], &[0; 32], &numbers, &points].concat();
     let mut file = vec![0; 100];
     file[..4].copy_from_slice(&9994i32.to_be_bytes());

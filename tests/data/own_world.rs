@@ -3,15 +3,17 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use clap::Parser;
 use ocean_globe::cli::bake::{BakeArgs, bake};
 use ocean_globe::data::water::WaterClass;
 use ocean_globe::data::world::World;
 use ocean_globe::error::Result;
 
 use crate::own_files::{
-    CORNER, MIDDLE, RADIUS_DEG, SIDE, STEP_DEG, cone_m, flatgeobuf, geojson, geotiff, grid, keys, shapefile, tiled,
+    CORNER, MIDDLE, RADIUS_DEG, SIDE, STEP_DEG, cone_m, flatgeobuf, geojson, geotiff, grid, keys, shapefile,
+    shapefile_of, tiled,
 };
-use crate::small_world::{Folder, nothing};
+use crate::small_world::{Folder, baked as small_world_of, nothing};
 
 fn write(folder: &Folder, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
     let path = folder.path().join(name);
@@ -126,6 +128,12 @@ fn beds_that_cannot_be_used_are_refused_with_what_where_and_a_remedy() {
         bytes[at + 8..at + 12].copy_from_slice(&value.to_le_bytes());
         bytes
     };
+    // Whole numbers of four bits, two in a byte.
+    let mut nibbles = tiled(&grid());
+    for (tag, value) in [(258u16, 4u8), (339, 1)] {
+        let at = nibbles.windows(4).position(|w| w == [&tag.to_le_bytes()[..], &[3, 0]].concat()).unwrap();
+        nibbles[at + 8] = value;
+    }
     let good = |model, system| geotiff(&grid(), &keys(model, system), None);
     let none = geotiff(&vec![-9999.0; SIDE * SIDE], &keys(2, 4326), Some("-9999"));
     for (name, bytes, part) in [
@@ -142,6 +150,7 @@ fn beds_that_cannot_be_used_are_refused_with_what_where_and_a_remedy() {
         ("zstd.tif", tagged(259, 50_000), "COMPRESS=DEFLATE"),
         ("hdf.nc", b"\x89HDF\r\n\x1a\n".to_vec(), "nccopy"),
         ("bed.asc", b"ncols 4".to_vec(), "`asc`"),
+        ("nibbles.tif", nibbles, "2048 values for 64 x 64 pixels in the piece at row 0, column 0"),
     ] {
         let error = run(&write(&folder, name, bytes), &coast, folder.path()).unwrap_err().to_string();
         assert!(error.contains(part) && error.contains(name), "{name}: {error}");
@@ -197,6 +206,148 @@ fn coasts_that_cannot_be_used_are_refused_with_what_where_and_a_remedy() {
     write(&folder, "utm.prj", r#"PROJCS["WGS_1984_UTM_Zone_28N",GEOGCS["GCS_WGS_1984"]]"#);
     let error = refused("utm.shp", &shp);
     assert!(error.contains("WGS_1984_UTM_ZONE_28N"), "{error}");
+}
+
+#[test]
+fn shapefiles_are_in_the_degrees_that_grids_may_be_in() {
+    let folder = Folder::new("own-degrees");
+    let baked = |system: &str| {
+        write(&folder, "coast.prj", system);
+        let coast = Some(write(&folder, "coast.shp", shapefile()));
+        bake(&BakeArgs { coast, coast_zoom: 1, ..nothing(folder.path()) })
+    };
+    // As ESRI, GDAL and ISO write them; a file without a word on it is believed.
+    for system in [
+        r#"GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137.0,298.257223563]]]"#,
+        r#"GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],AUTHORITY["EPSG","4326"]]"#,
+        r#"GEOGCRS["WGS 84",ENSEMBLE["World Geodetic System 1984 ensemble",MEMBER["World Geodetic System 1984 (G730)"]]]"#,
+        r#"GEOGCS["GCS_ETRS_1989",DATUM["D_ETRS_1989",SPHEROID["GRS_1980",6378137.0,298.257222101]]]"#,
+        r#"GEOGCS["NAD83",DATUM["North_American_Datum_1983",SPHEROID["GRS 1980",6378137,298.257222101]]]"#,
+        "",
+    ] {
+        assert!(baked(system).is_ok(), "{system}: {:?}", baked(system));
+    }
+    for (system, part) in [
+        (
+            r#"GEOGCS["GCS_North_American_1927",DATUM["D_North_American_1927",SPHEROID["Clarke_1866",6378206.4,294.9787]]]"#,
+            "1927",
+        ),
+        (
+            r#"GEOGCS["GCS_European_1950",DATUM["D_European_1950",SPHEROID["International_1924",6378388.0,297.0]]]"#,
+            "1950",
+        ),
+        ("no system at all", "NO SYSTEM"),
+    ] {
+        let error = baked(system).unwrap_err().to_string();
+        assert!(error.contains(part) && error.contains("-t_srs EPSG:4326"), "{error}");
+    }
+}
+
+#[test]
+fn holes_find_their_ring_among_very_many() {
+    let folder = Folder::new("own-holes");
+    let refused = |name: &str, rings: &[Vec<[f64; 2]>]| {
+        let coast = Some(write(&folder, name, shapefile_of(rings)));
+        bake(&BakeArgs { coast, ..nothing(folder.path()) }).unwrap_err().to_string()
+    };
+    const MANY: usize = 100_000;
+    let hole = |i: usize, lon: f64| {
+        let (lat, side) = (-40.0 + 80.0 * i as f64 / MANY as f64, 1e-4);
+        vec![[lon, lat], [lon + side, lat], [lon, lat + side], [lon, lat]]
+    };
+    // What stops the bake once the holes are sorted: no degrees.
+    let stop = vec![[1000.0, 0.0], [1000.0, 1.0], [1001.0, 0.0], [1000.0, 0.0]];
+    let clockwise = (0..=MANY).map(|i| {
+        let (sin, cos) = (-std::f64::consts::TAU * (i % MANY) as f64 / MANY as f64).sin_cos();
+        [60.0 * cos, 60.0 * sin]
+    });
+    let mut rings = vec![clockwise.collect::<Vec<_>>()];
+    rings.extend((0..MANY).map(|i| hole(i, 0.0)));
+    rings.push(stop.clone());
+    // 10^10 pairs of hole and edge, each of which took a nanosecond.
+    let error = refused("many.shp", &rings);
+    assert!(error.contains("has a point at 1000, 0"), "{error}");
+    // And an outline that passes every hole's latitude as often as it has points.
+    let mut comb: Vec<_> = (0..MANY).map(|i| [50.0 - i as f64 * 1e-3, if i % 2 == 0 { 50.0 } else { -50.0 }]).collect();
+    comb.extend([[-60.0, 60.0], [60.0, 60.0], comb[0]]);
+    if comb.windows(2).map(|pair| pair[0][0] * pair[1][1] - pair[1][0] * pair[0][1]).sum::<f64>() > 0.0 {
+        comb.reverse();
+    }
+    rings[0] = comb;
+    let error = refused("comb.shp", &rings);
+    assert!(error.contains("more holes among more points in record 1") && error.contains("FlatGeobuf"), "{error}");
+}
+
+#[test]
+fn holes_written_the_wrong_way_round_are_land_of_their_own() {
+    // Two islands, the second within the latitudes of the first; a lake in each; a ring in none, that runs as a hole does, with one in it.
+    let square = |west: f64, south: f64, side: f64, is_outer: bool| {
+        let mut ring =
+            vec![[west, south], [west, south + side], [west + side, south + side], [west + side, south], [west, south]];
+        if !is_outer {
+            ring.reverse();
+        }
+        ring
+    };
+    let rings = [
+        square(0.0, 0.0, 20.0, true),
+        square(30.0, 0.0, 20.0, true),
+        square(34.0, 4.0, 8.0, false),
+        square(4.0, 4.0, 8.0, false),
+        square(60.0, 0.0, 20.0, false),
+        square(64.0, 4.0, 8.0, false),
+    ];
+    let folder = small_world_of("own-wrong-way");
+    let coast = Some(write(&folder, "coast.shp", shapefile_of(&rings)));
+    bake(&BakeArgs { coast, coast_zoom: 4, ..nothing(folder.path()) }).unwrap();
+    let mut world = World::open(folder.path().to_str().unwrap());
+    for (lon, class) in [
+        (2.0f64, WaterClass::Land),
+        (25.0, WaterClass::Ocean),
+        (8.0, WaterClass::Lake),
+        (32.0, WaterClass::Land),
+        (38.0, WaterClass::Lake),
+        (55.0, WaterClass::Ocean),
+        (62.0, WaterClass::Land),
+        (68.0, WaterClass::Lake),
+        (85.0, WaterClass::Ocean),
+    ] {
+        assert_eq!(world.sample_blocking(8f64.to_radians(), lon.to_radians()).unwrap().class, class, "{lon}");
+    }
+}
+
+#[test]
+fn long_json_is_refused_before_it_is_read() {
+    let folder = Folder::new("own-long");
+    for (name, part) in [
+        ("long.geojson", "is 257 MiB long, more than the 256 MiB that are read; give it as FlatGeobuf or Shapefile"),
+        ("long.shp", "is no Shapefile"),
+    ] {
+        let coast = write(&folder, name, "");
+        // A hole in the file system's eyes.
+        fs::File::options().write(true).open(&coast).unwrap().set_len((256 << 20) + 1).unwrap();
+        let error = bake(&BakeArgs { coast: Some(coast), ..nothing(folder.path()) }).unwrap_err().to_string();
+        assert!(error.contains(part), "{error}");
+    }
+}
+
+#[test]
+fn the_level_bed_lies_at_an_elevation_that_there_is() {
+    #[derive(clap::Parser)]
+    struct Line {
+        #[command(flatten)]
+        bake: BakeArgs,
+    }
+    let parsed = |metres: &str| {
+        let given = ["bake", "--bed", "b.tif", "--coast", "c.shp", "--output", "out", "--bed-elsewhere-m", metres];
+        Line::try_parse_from(given).map(|line| line.bake.bed_elsewhere_m).map_err(|error| error.to_string())
+    };
+    assert_eq!((parsed("-12000"), parsed("30.5")), (Ok(-12_000.0), Ok(30.5)));
+    for metres in ["nan", "inf", "-inf", "1e30", "-12001"] {
+        let error = parsed(metres).unwrap_err();
+        assert!(error.contains("--bed-elsewhere-m") && error.contains("from -12000 to 12000"), "{error}");
+    }
+    assert!(parsed("deep").unwrap_err().contains("invalid float"));
 }
 
 #[test]

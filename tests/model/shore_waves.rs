@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use ocean_globe::model::shore_waves::{Bed, arrivals, regular};
-use ocean_globe::model::{GRAVITY, beach, dispersion};
+use ocean_globe::model::{GRAVITY, dispersion};
+
+use crate::beach;
 
 /// A bed from depth and distance to the shore at (x, y), metres east and south of the north-western corner.
 fn bed(side: usize, step: f64, at: impl Fn(f64, f64) -> (f64, f64)) -> Bed {

@@ -148,13 +148,3 @@ fn waves_grow_skewed_and_then_steep_in_front() {
     let (rises, falls) = slopes(shape(1.5, 1.0));
     assert!(rises > 3.0 * falls, "a bore: {rises} {falls}");
 }
-
-#[test]
-fn runup_of_stockdon() {
-    assert!((surf::runup(4.0, TAU / 11.0, 0.1) - 2.5420).abs() < 1e-3, "{}", surf::runup(4.0, TAU / 11.0, 0.1));
-    let steep = (4.0 * GRAVITY * 121.0 / TAU).sqrt();
-    assert!(
-        (surf::runup(4.0, TAU / 11.0, 0.01) / (0.043 * steep) - 1.0).abs() < 1e-12,
-        "on a flat beach the slope is no matter"
-    );
-}

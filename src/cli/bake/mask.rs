@@ -1,4 +1,4 @@
-//! The land mask: bands of netCDF-3 bytes as `gmt grdlandmask -N0/1/2/3/4` writes them, seen as one raster of the world.
+//! The land mask: bands of bytes in netCDF (3 or 4) as `gmt grdlandmask -N0/1/2/3/4` writes them, seen as one raster of the world.
 //!
 //! Only a window of full rows is ever in memory, plus one copy of the world reduced by [`REDUCTION`] per axis.
 

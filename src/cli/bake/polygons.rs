@@ -5,6 +5,7 @@
 
 mod flatgeobuf;
 mod geojson;
+mod holes;
 mod shapefile;
 
 use std::path::Path;
@@ -15,6 +16,8 @@ use crate::error::{Error, Result};
 
 /// The largest file that is read, bytes.
 const LARGEST: u64 = 2 << 30;
+/// The largest of JSON, of which each number takes 32 bytes while it is read: some gigabytes for this.
+const LARGEST_JSON: u64 = 256 << 20;
 
 /// Longitude and latitude, degrees.
 type Point = [f64; 2];
@@ -43,12 +46,18 @@ fn ending(path: &Path) -> String {
 pub fn read(path: &Path) -> Result<Vec<Shoreline>> {
     let name = path.display().to_string();
     let length = std::fs::metadata(path).map_err(|e| Error::io(&name, e, "check the path and its permissions"))?.len();
-    if length > LARGEST {
-        let why = format!("is {} MB long", length >> 20);
-        return Err(Error::bad_data(&name, why, "cut it, or simplify it: `ogr2ogr -simplify 0.0002 OUT IN`"));
+    let ending = ending(path);
+    let (largest, remedy) = match ending.as_str() {
+        "shp" | "fgb" => (LARGEST, "cut it, or simplify it: `ogr2ogr -simplify 0.0002 OUT IN`"),
+        _ => (LARGEST_JSON, "give it as FlatGeobuf or Shapefile: `ogr2ogr OUT.fgb IN`"),
+    };
+    if length > largest {
+        let why =
+            format!("is {} MiB long, more than the {} MiB that are read", length.div_ceil(1 << 20), largest >> 20);
+        return Err(Error::bad_data(&name, why, remedy));
     }
     let bytes = std::fs::read(path).map_err(|e| Error::io(&name, e, "check the path and its permissions"))?;
-    let polygons = match ending(path).as_str() {
+    let polygons = match ending.as_str() {
         "shp" => shapefile::read(path, &bytes)?,
         "fgb" => flatgeobuf::read(&name, &bytes)?,
         _ => geojson::read(&name, &bytes)?,

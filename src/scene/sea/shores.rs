@@ -21,7 +21,7 @@ use crate::model::sea::Sea;
 use crate::model::sea_tables::SeaTables;
 use crate::model::shore_waves::{ADDED, Arrivals, Bed, Following, SHALLOWEST_M};
 use crate::model::wave_trains::{TAKEN, TRAINS, Train, taken_m2, trains};
-use crate::model::{surface, waves};
+use crate::model::{surf, surface, waves};
 use crate::scene::frame::Frame;
 use crate::scene::view::camera::Camera;
 
@@ -49,7 +49,7 @@ pub const WORDS: usize = NODES + SLOTS * SHORE_SIDE * SHORE_SIDE * TRAINS;
 /// Words that change with time.
 pub type Header = [[u32; 2]; NODES];
 
-/// Numbers of `shaders/lib/shore_trains.wgsl`.
+/// Numbers of `shaders/lib/shore_trains.wgsl` and `breakers.wgsl`.
 pub fn shared_constants() -> String {
     let whole = [
         ("SHORE_LEVEL", usize::from(SHORE_LEVEL)),
@@ -66,6 +66,10 @@ pub fn shared_constants() -> String {
         ("SHORES_END", SHORES_END_M),
         ("TRAINS_TAKE_FIRST", TAKEN[0] * TAKEN[0]),
         ("TRAINS_TAKE_SECOND", TAKEN[1] * TAKEN[1]),
+        ("BREAKER_DECAY", surf::DECAY),
+        ("BREAKER_STABLE", surf::STABLE),
+        ("BREAKER_LEAST_INDEX", surf::LEAST_INDEX),
+        ("BREAKER_BORE", surf::BORE),
     ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));

@@ -3,14 +3,12 @@
 use std::path::Path;
 
 use super::geotiff;
-use crate::cli::bake::{Axis, axes};
+use crate::cli::bake::{Axis, HIGHEST_M, axes};
 use crate::data::netcdf::NetCdf;
 use crate::error::{Error, Result};
 
 /// The largest grid accepted, nodes: 1 GiB of metres, and as much again while gaps are filled.
 pub const MAX_NODES: u64 = 1 << 28;
-/// No ground is higher, no bed deeper, metres.
-const HIGHEST_M: f32 = 12_000.0;
 /// Beds end here, degrees: beyond lie the polar maps.
 const NORTHERNMOST_DEG: f64 = 84.0;
 

@@ -10,6 +10,7 @@ use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
 use super::bed::{Grid, MAX_NODES};
+use crate::cli::bake::reference;
 use crate::error::{Error, Result};
 
 /// Bytes that one piece of an image may unpack to: whatever it says, no more is asked for.
@@ -27,8 +28,6 @@ const MODEL_TYPE: u64 = 1024;
 const RASTER_TYPE: u64 = 1025;
 const GEODETIC_CRS: u64 = 2048;
 const PROJECTED_CRS: u64 = 3072;
-/// WGS84, ETRS89 and NAD83, with and without height.
-const KNOWN_CRS: [u64; 6] = [4326, 4979, 4258, 4937, 4269, 4957];
 
 type Open = Decoder<BufReader<File>>;
 
@@ -83,7 +82,7 @@ fn place(decoder: &mut Open, name: &str) -> Result<([f64; 2], [f64; 2])> {
         return Err(bad(format!("is in the coordinates of {system}"), to_degrees));
     }
     match key(GEODETIC_CRS) {
-        Some(crs) if KNOWN_CRS.contains(&crs) => {}
+        Some(crs) if reference::is_known(crs) => {}
         Some(crs) => return Err(bad(format!("is in degrees of EPSG:{crs}"), to_degrees)),
         None if keys.is_empty() => {
             let remedy = "say where it lies: `gdal_translate -a_srs EPSG:4326 -a_ullr W N E S IN OUT`";
@@ -125,7 +124,7 @@ fn pixels(decoder: &mut Open, name: &str, [width, height]: [usize; 2]) -> Result
     let mut all = vec![0.0f32; width * height];
     for piece in 0..width.div_ceil(across) * height.div_ceil(down) {
         let (column, row) = (piece % width.div_ceil(across) * across, piece / width.div_ceil(across) * down);
-        let (wide, _) = decoder.chunk_data_dimensions(piece as u32);
+        let (wide, high) = decoder.chunk_data_dimensions(piece as u32);
         let values = decoder.read_chunk(piece as u32).map_err(|why| match refused(name, &why) {
             Error::BadData { what, why, remedy } => {
                 Error::BadData { what, why: format!("{why}, in the piece at row {row}, column {column}"), remedy }
@@ -136,6 +135,15 @@ fn pixels(decoder: &mut Open, name: &str, [width, height]: [usize; 2]) -> Result
             let remedy = "make them numbers: `gdal_translate -ot Float32 IN OUT`";
             Error::bad_data(name, "has values that are no plain numbers", remedy)
         })?;
+        // Values of less than a byte come packed.
+        if values.len() as u64 != u64::from(wide) * u64::from(high) {
+            let why = format!(
+                "has {} values for {wide} x {high} pixels in the piece at row {row}, column {column}",
+                values.len()
+            );
+            let remedy = "write it anew, with a byte or more for each: `gdal_translate -ot Float32 IN OUT`";
+            return Err(Error::bad_data(name, why, remedy));
+        }
         for (line, row) in values.chunks_exact(wide.max(1) as usize).zip(row..height) {
             let end = width.min(column + line.len());
             all[row * width + column..row * width + end].copy_from_slice(&line[..end - column]);

@@ -3,7 +3,9 @@
 
 use std::path::Path;
 
-use super::{Point, Polygon, doubled_area};
+use super::holes::separated;
+use super::{Point, Polygon};
+use crate::cli::bake::reference;
 use crate::data::coast::Level;
 use crate::error::{Error, Result};
 
@@ -22,10 +24,8 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Vec<Polygon>> {
     let name = path.display().to_string();
     let bad = |why: String, remedy: &str| Error::bad_data(&name, why, remedy);
     let again = "it is cut short or damaged: get it again";
-    // A projection has the name PROJCS, or in newer text PROJCRS.
-    let system = std::fs::read_to_string(path.with_extension("prj")).unwrap_or_default().to_uppercase();
-    if system.contains("PROJCS") || system.contains("PROJCRS") {
-        let of = system.split('"').nth(1).unwrap_or_default();
+    let system = std::fs::read(path.with_extension("prj")).unwrap_or_default();
+    if let Some(of) = reference::unknown(&String::from_utf8_lossy(&system)) {
         let remedy = "bring it to degrees of WGS84: `ogr2ogr -t_srs EPSG:4326 OUT IN`";
         return Err(bad(format!("is, by its .prj, in the coordinates of {of}"), remedy));
     }
@@ -52,7 +52,12 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Vec<Polygon>> {
             Some(kind) if POLYGONS.contains(&kind) => {
                 let rings =
                     rings(shape).ok_or_else(|| bad(format!("has a broken polygon in record {record}"), again))?;
-                polygons.extend(separated(rings, record));
+                let separated = separated(rings).ok_or_else(|| {
+                    let why = format!("has more holes among more points in record {record} than any coast");
+                    bad(why, "give it as FlatGeobuf, which says which hole is whose: `ogr2ogr OUT.fgb IN`")
+                })?;
+                let level = Level::Land;
+                polygons.extend(separated.into_iter().map(|rings| Polygon { level, rings, number: record }));
             }
             _ => return Err(bad(format!("has another kind of shape in record {record}"), again)),
         }
@@ -75,31 +80,6 @@ fn rings(shape: &[u8]) -> Option<Vec<Vec<Point>>> {
         bytes.chunks_exact(16).map(point).collect()
     };
     starts.windows(2).map(ring).collect()
-}
-
-/// Each ring that runs clockwise with the holes inside of it.
-fn separated(rings: Vec<Vec<Point>>, number: usize) -> Vec<Polygon> {
-    let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|ring| doubled_area(ring) <= 0.0);
-    let level = Level::Land;
-    let mut polygons: Vec<_> = outer.into_iter().map(|ring| Polygon { level, rings: vec![ring], number }).collect();
-    for hole in holes {
-        let within = |polygon: &&mut Polygon| hole.first().is_some_and(|point| contains(&polygon.rings[0], *point));
-        match polygons.iter_mut().find(within) {
-            Some(polygon) => polygon.rings.push(hole),
-            // Written the wrong way round, as some programs do.
-            None => polygons.push(Polygon { level, rings: vec![hole], number }),
-        }
-    }
-    polygons
-}
-
-/// Whether a point lies in a ring, by crossings.
-fn contains(ring: &[Point], [x, y]: Point) -> bool {
-    let crosses = |pair: &&[Point]| {
-        let ([ax, ay], [bx, by]) = (pair[0], pair[1]);
-        (ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)
-    };
-    ring.windows(2).filter(crosses).count() % 2 == 1
 }
 
 fn big(bytes: &[u8], at: usize) -> Option<i32> {
