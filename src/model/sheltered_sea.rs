@@ -38,7 +38,8 @@ pub const SPREADS: [f64; 2] = [10.0, 30.0];
 /// Directions with less than this share of the energy do not count.
 const NEGLIGIBLE: f64 = 2e-3;
 /// No ring's waves are higher than this many times those of the open sea.
-pub const MOST_GAIN: f64 = 2.0;
+/// With it a node's 16 bits hold a gain of 1 as a whole number, and its rounding does not depend on how it was found.
+pub const MOST_GAIN: f64 = 65_535.0 / 32_768.0;
 /// Fetches that the wind's own seas are tabulated for, from 10 m to [`FARTHEST_M`], evenly in their logarithms.
 const FETCHES: usize = 46;
 const LEAST_FETCH_M: f64 = 10.0;

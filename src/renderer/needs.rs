@@ -31,9 +31,10 @@ impl Renderer {
         let hiding = self.hiding(frame);
         self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
         let side = self.side(frame);
-        let shows_trains = side.shows_surf && frame.is_fine() && self.complete;
+        // What is there stays; others wait for the picture's own tiles.
+        let trains = (side.shows_surf && frame.is_fine(), self.complete);
         let seconds = if self.seas.is_spread() { SHORE_SECONDS } else { f64::INFINITY };
-        self.complete &= self.shores.prepare(&mut self.world, frame, shows_trains, seconds);
+        self.complete &= self.shores.prepare(&mut self.world, frame, trains, seconds);
         self.complete
     }
 

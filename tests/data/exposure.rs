@@ -8,8 +8,8 @@ use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::TileTexels;
 use ocean_globe::data::exposure::{Found, ShoreTiles, Water, cos_lat};
 use ocean_globe::data::tile::{EQUATOR_M, TILE_TEXELS, TileId, texels_across};
-use ocean_globe::data::water::packed;
-use ocean_globe::model::sea::Sea;
+use ocean_globe::data::water::{packed, unpacked};
+use ocean_globe::model::sea::{Sea, Swell};
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, bearing};
 use ocean_globe::scene::sea::shelter::Shelter;
@@ -29,6 +29,20 @@ fn tile(id: TileId) -> Found {
         packed([(32.0 * texels) as i32, -8191], 1)
     };
     Found::Tile(Arc::new(TileTexels::Water((0..TILE_TEXELS * TILE_TEXELS).map(texel).collect())))
+}
+
+/// The same with a long lake in its middle, which no table has.
+fn tile_with_lake(id: TileId) -> Found {
+    let Found::Tile(texels) = tile(id) else { unreachable!() };
+    let TileTexels::Water(texels) = &*texels else { unreachable!() };
+    let side = texels_across(id.z);
+    let with_lake = texels.iter().enumerate().map(|(index, texel)| {
+        let (x, y) = id.texel_centre((index % TILE_TEXELS) as f64, (index / TILE_TEXELS) as f64);
+        let metres = EQUATOR_M * cos_lat(y);
+        let lake_m = 0.9 * RADIUS_M - metres * (x - ISLAND.0).hypot(6.0 * (y - ISLAND.1));
+        packed([i32::from(unpacked(*texel).0[0]), (32.0 * lake_m / metres * side) as i32], 1)
+    });
+    Found::Tile(Arc::new(TileTexels::Water(with_lake.collect())))
 }
 
 #[test]
@@ -100,6 +114,38 @@ fn the_order_in_which_tiles_come_changes_nothing() {
     // Half open, half hidden: there is something to compare.
     let calm = at_once.1.iter().filter(|node| node[0] & 0xffff < 0x2000).count();
     assert!(calm > 100 && calm < 4000, "{calm}");
+}
+
+#[test]
+fn seas_and_eyes_before_this_one_change_nothing() {
+    let tables = |n, swell| Arc::new(SeaTables::new(Sea { swell, ..Sea::from_wind(8.0, 1, 1.0) }, n));
+    let [sea, finer] = [128, 256].map(|n| tables(n, None));
+    let swell = tables(128, Some(Swell { height_m: 3.0, period_s: 12.0, toward: 2.5 }));
+    let lon = (ISLAND.0 - 0.5) * std::f64::consts::TAU;
+    // From the deck, and from so high that windows reach beyond what land hides.
+    let eyes = [50.0, 2e6].map(|altitude_m| [(-0.001, lon - 0.005, altitude_m), (-0.1, lon - 0.2, altitude_m)]);
+    let bring = |shelter: &mut Shelter, (tables, wind_from), eye| {
+        while !shelter.advance((tables, wind_from), eye, 1.0, &mut tile_with_lake) {}
+    };
+    let winds = [250f64, 0.0, 100.0].map(f64::to_radians);
+    let mut begun = 0;
+    for ([here, there], wind_from) in eyes.into_iter().flat_map(|eyes| winds.map(|wind_from| (eyes, wind_from))) {
+        let mut fresh = Shelter::default();
+        bring(&mut fresh, (&sea, wind_from), here);
+        let mut old = Shelter::default();
+        bring(&mut old, (&swell, 4.0), here);
+        bring(&mut old, (&finer, wind_from), here);
+        bring(&mut old, (&sea, wind_from), here);
+        let differ = |other: &Shelter| fresh.packed().1.iter().zip(other.packed().1).filter(|(a, b)| **a != *b).count();
+        assert_eq!(fresh.packed().0, old.packed().0);
+        assert_eq!(differ(&old), 0, "wind from {wind_from}");
+        // Another window that is only begun.
+        old.advance((&sea, wind_from), there, 0.0, &mut tile_with_lake);
+        begun += differ(&old);
+        bring(&mut old, (&sea, wind_from), here);
+        assert_eq!(differ(&old), 0, "wind from {wind_from}, another eye between");
+    }
+    assert!(begun > 0, "no other window was begun");
 }
 
 #[test]

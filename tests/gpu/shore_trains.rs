@@ -98,7 +98,7 @@ struct Asked {
 /// The windows around a frame's eye, made from the bundled world.
 fn made(world: &mut World, frame: &Frame) -> Shores {
     let (mut shores, start) = (Shores::default(), Instant::now());
-    while !shores.prepare(world, frame, true, f64::INFINITY) {
+    while !shores.prepare(world, frame, (true, true), f64::INFINITY) {
         world.poll();
         assert!(start.elapsed() < Duration::from_secs(60), "the coast does not come");
         std::thread::sleep(Duration::from_millis(1));

@@ -59,6 +59,8 @@ impl World {
                 Some(parent) if at_hand.is_none() && !self.absent.contains(&parent) => {
                     if self.given_up.contains_key(&parent) {
                         self.unfinished.tiles.remove(&(id.z, id));
+                        // For as long as its parent.
+                        self.given_up.extend(self.given_up.get(&parent).map(|until| (key, *until)));
                         let url = self.slot(Layer::Water, id.projection).name.clone();
                         let why = format!("water tile {id} goes without its parent, which was given up");
                         self.answer(key, Outcome::Failed(Error::Fetch { url, why }));

@@ -103,6 +103,7 @@ impl Shelter {
             self.is_busy = false;
             return true;
         }
+        self.done = None;
         self.nodes.resize(LEVELS * SIDE * SIDE, Node::NONE);
         let until_s = now_s() + budget_s;
         let mut tiles = std::mem::take(&mut self.tiles);
@@ -135,7 +136,7 @@ impl Shelter {
     fn local(&mut self, tables: &Arc<SeaTables>, wind_from: f64) -> Arc<Local> {
         let is_same = |local: &&Arc<Local>| {
             let of = &local.tables;
-            local.wind_from == wind_from && (Arc::ptr_eq(of, tables) || of == tables)
+            local.wind_from == wind_from && (Arc::ptr_eq(of, tables) || of.has_waves_of(tables))
         };
         if let Some(local) = self.sea.as_ref().filter(is_same) {
             return local.clone();
@@ -166,24 +167,28 @@ impl Shelter {
     ) -> (bool, bool) {
         let shift = 32 - window.bits;
         let first = window.middle.map(|at| (at >> shift).wrapping_sub(SIDE as u32 / 2));
+        let mask = (1u32 << window.bits) - 1;
+        let place_of = |row: u32, column: u32| [first[0].wrapping_add(column) & mask, first[1].wrapping_add(row)];
+        let side = 0..SIDE as u32;
+        // Nodes of another window's places would tell shaders of these.
+        for place in side.clone().flat_map(|row| side.clone().map(move |column| place_of(row, column))) {
+            let node = &mut self.nodes[slot(level, place)];
+            if node.place != place {
+                // Beyond the map's rims there is nothing.
+                *node = if place[1] > mask { Node { place, ..Node::NONE } } else { Node::NONE };
+            }
+        }
         let mut waiting = 0;
-        for row in 0..SIDE as u32 {
-            for column in 0..SIDE as u32 {
-                let mask = (1u32 << window.bits) - 1;
-                let place = [first[0].wrapping_add(column) & mask, first[1].wrapping_add(row)];
+        for row in side.clone() {
+            for column in side.clone() {
+                let place = place_of(row, column);
                 let node = &mut self.nodes[slot(level, place)];
                 if node.place == place {
-                    continue;
-                }
-                // Beyond the map's rims there is nothing.
-                if place[1] > mask {
-                    *node = Node { place, ..Node::NONE };
                     continue;
                 }
                 match found(level, place, local, shores) {
                     Some(known) => *node = known,
                     None => {
-                        *node = Node::NONE;
                         waiting += 1;
                         if waiting == WAITING {
                             return (true, false);

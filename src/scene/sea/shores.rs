@@ -104,24 +104,31 @@ pub struct Shores {
 }
 
 impl Shores {
-    /// Brings the windows around a frame's eye on, for some seconds or a step; true when all are there. `shows`: whether the frame shows surf.
-    pub fn prepare(&mut self, world: &mut World, frame: &Frame, shows: bool, seconds: f64) -> bool {
+    /// Brings the windows around a frame's eye on, for some seconds or a step; true when all are there. `shows`: whether the frame shows surf;
+    /// `may_begin`: whether others are begun than those that are there.
+    pub fn prepare(
+        &mut self,
+        world: &mut World,
+        frame: &Frame,
+        (shows, may_begin): (bool, bool),
+        seconds: f64,
+    ) -> bool {
         let Camera { lat, lon, altitude_m, .. } = frame.camera;
         let reach_m = (reach_m(lat).powi(2) - altitude_m * altitude_m).max(0.0).sqrt();
         let tiles = if shows { around(lat, lon, reach_m) } else { Vec::new() };
-        self.prepare_tiles(world, (&frame.sea, frame.wind_from), tiles, seconds)
+        self.prepare_tiles(world, (&frame.sea, frame.wind_from), (tiles, may_begin), seconds)
     }
 
     /// As [`Shores::prepare`], for a place, geodetic radians, in a sea whose wind comes from a bearing in radians.
     pub fn prepare_at(&mut self, world: &mut World, sea: (&Arc<SeaTables>, f64), lat: f64, lon: f64) -> bool {
-        self.prepare_tiles(world, sea, around(lat, lon, 1.0), f64::INFINITY)
+        self.prepare_tiles(world, sea, (around(lat, lon, 1.0), true), f64::INFINITY)
     }
 
     fn prepare_tiles(
         &mut self,
         world: &mut World,
         (sea, wind_from): (&Arc<SeaTables>, f64),
-        tiles: Vec<Tile>,
+        (tiles, may_begin): (Vec<Tile>, bool),
         seconds: f64,
     ) -> bool {
         self.wanted.clear();
@@ -153,8 +160,9 @@ impl Shores {
         let mut complete = true;
         for tile in self.wanted.clone() {
             if let Entry::Vacant(place) = self.windows.entry(tile) {
-                if !may_go_on() {
-                    return false;
+                if !may_begin || !may_go_on() {
+                    complete = false;
+                    continue;
                 }
                 let Some(bed) = world.shore_bed(tile) else {
                     complete = false;

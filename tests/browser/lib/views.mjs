@@ -8,7 +8,7 @@ export const FROM_ORBIT = `#view=38,-2,3000000&clouds=0&wind=8@250${STILL}`;
 export const COAST = `#view=38.7,-9.45,30000&clouds=0&wind=8@250${STILL}`;
 /** The same ocean under broken clouds, and clouds from above them. */
 export const UNDER_CLOUDS = `#view=35,-30,4,250,84&wind=6@250&clouds=0.5&quality=low${STILL}`;
-export const OVER_CLOUDS = `#view=38,-45,2000000&clouds=0.5&quality=low${STILL}`;
+export const OVER_CLOUDS = `#view=38,-20,2000000&clouds=0.5&quality=low${STILL}`;
 /** Over the sand of the Bahamas, and with half of the picture in their water. */
 export const IN_THE_WATER = `#view=24.31,-76.56,-1.5,0,80&clouds=0&wind=4@90${STILL}`;
 export const AT_THE_SURFACE = `#view=24.31,-76.56,0,120,88&ride=1&clouds=0&wind=3@90${STILL}`;

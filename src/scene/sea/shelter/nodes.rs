@@ -88,27 +88,29 @@ impl Local {
         lakes.entry(depth_m.to_bits()).or_insert_with(make).clone()
     }
 
+    /// Mean depth of a node's lake, m: the table's, else the usual one of a lake about as large as the water before the node is wide, to a power
+    /// of 2. Exposures that a sea before this one needed do not count.
+    fn depth_m(&self, node: &Node, exposures: &Exposures) -> f64 {
+        let of_table = (!node.lake[0].is_nan()).then(|| node.depth_m.into());
+        of_table.unwrap_or_else(|| {
+            let known = exposures.iter().enumerate().filter(|(direction, _)| self.open.needs(*direction));
+            let known = known.filter_map(|(_, exposure)| exposure.as_ref());
+            let [count, sum_km] = known.fold([0.0, 0.0], |[n, sum], e| [n + 1.0, sum + e.fetch_m / 1000.0]);
+            let across_km = 1.5 * sum_km / f64::max(count, 1.0);
+            libm::exp2(libm::round(libm::log2(lakes::usual_depth_m(across_km * across_km))))
+        })
+    }
+
     /// A node's gains, from exposures that hold what is needed. A lake has no open sea beyond its shores.
     pub(super) fn gains(&self, node: &Node) -> Gains {
         match node.water {
             Water::Ocean => self.open.gains(&node.exposures()),
             Water::Lake => {
                 let exposures = node.exposures();
-                self.of_lake(depth_m(node, &exposures)).gains(&exposures)
+                self.of_lake(self.depth_m(node, &exposures)).gains(&exposures)
             }
         }
     }
-}
-
-/// Mean depth of a node's lake, m: the table's, else the usual one of a lake about as large as the water around is wide, to a power of 2.
-fn depth_m(node: &Node, exposures: &Exposures) -> f64 {
-    let of_table = (!node.lake[0].is_nan()).then(|| node.depth_m.into());
-    of_table.unwrap_or_else(|| {
-        let known = exposures.iter().flatten();
-        let [count, sum_km] = known.fold([0.0, 0.0], |[n, sum], e| [n + 1.0, sum + e.fetch_m / 1000.0]);
-        let across_km = 1.5 * sum_km / f64::max(count, 1.0);
-        libm::exp2(libm::round(libm::log2(lakes::usual_depth_m(across_km * across_km))))
-    })
 }
 
 /// The gains of a water between four nodes, which `known` tells: `None` where it does not know, `Some(None)` where they know no water.
