@@ -74,8 +74,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
         let sea = local_sea(point);
-        let calmed = sea.height * held_share(depth, sea.height);
-        let whitecaps = calmed * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
+        let calmed = held_share(depth, sea.height);
+        let whitecaps = calmed * sea.height * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
         let foam = mean_foam(whitecaps, mean_dense_from(whitecaps, FINE), calmed, FINE);
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.

@@ -46,8 +46,7 @@ struct Vertex {
 fn vertex_at(place: Place) -> Vertex {
     var incoming = 0.0;
     if SURF {
-        let dn = normal_delta(place.rest);
-        incoming = height_coming_in(map_point(dn), frame.sin_lat + sin_lat_delta(dn), length(place.rest));
+        incoming = height_coming_in(local_sea(map_point(normal_delta(place.rest))), length(place.rest));
     }
     return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, beyond(place));
 }

@@ -37,9 +37,9 @@ fn with_node(sum: Nodes, level: u32, node: vec2u, share: f32, water: u32) -> Nod
 }
 
 // What a level's nodes know of a water around a place, and how far out in their window that is.
-struct Around4 { nodes: Nodes, reach: f32 }
+struct Surrounding { nodes: Nodes, reach: f32 }
 
-fn nodes_around(point: MapPoint, level: u32, water: u32) -> Around4 {
+fn nodes_around(point: MapPoint, level: u32, water: u32) -> Surrounding {
     let window = sheltered.windows[level];
     let shift = (32u - window.z) & 31u;
     let unit = f32(1u << shift);
@@ -53,7 +53,7 @@ fn nodes_around(point: MapPoint, level: u32, water: u32) -> Around4 {
     nodes = with_node(nodes, level, corner + vec2u(1u, 1u), f.x * f.y, water);
     nodes.gains = select(nodes.gains, vec4f(1.0), window.w == SHELTER_OPEN);
     let known = select(0.0, 1.0, window.w != 0u);
-    return Around4(Nodes(known * nodes.gains, known * select(nodes.lake, vec3f(0.0), window.w == SHELTER_OPEN)),
+    return Surrounding(Nodes(known * nodes.gains, known * select(nodes.lake, vec3f(0.0), window.w == SHELTER_OPEN)),
         max(away.x, away.y) / f32(SHELTER_SIDE / 2u));
 }
 

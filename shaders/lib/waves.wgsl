@@ -14,10 +14,7 @@ fn mix_weights(distance: Metres) -> vec2f {
     return vec2f(sqrt(1.0 - perlin_energy), sqrt(perlin_energy));
 }
 
-// Displacement (east, north, up) of the rest point `p`. A patch's axes lie in the plane of its cell's centre; here the water moves level.
-fn displacement_at(p: vec3f, distance: Metres, footprint: Metres) -> vec3f { return displacement_in(OPEN_SEA, p, distance, footprint); }
-
-// The same where land stands in the sea's way.
+// Displacement (east, north, up) of the rest point `p`. A patch's axes lie in the plane of its cell's centre; here the water moves level. Land may stand in the sea's way.
 fn displacement_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> vec3f {
     if !(WAVES || NOISE) || !any_resolvable(footprint) { return vec3f(0.0); }
     let weights = mix_weights(distance);
@@ -74,9 +71,6 @@ struct Slopes {
 
 // What a footprint hides is the mean of the squared slopes less the square of their mean, from the same mip levels, so that
 // nothing is lost in between: what the texture filter takes from the slopes becomes roughness too.
-fn slopes_at(p: vec3f, distance: Metres, footprint: Metres) -> Slopes { return slopes_in(OPEN_SEA, p, distance, footprint); }
-
-// The same where land stands in the sea's way.
 fn slopes_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
     let weights = mix_weights(distance);
     let all = local_slopes(sea);

@@ -57,13 +57,13 @@ impl ShoreTiles {
     }
 
     /// For looks that ask `look` for tiles that are not there yet.
-    pub fn looking<'a>(&'a mut self, look: &'a mut dyn FnMut(TileId) -> Found) -> Shores<'a> {
-        Shores { tiles: &mut self.tiles, look, recent: None }
+    pub fn looking<'a>(&'a mut self, look: &'a mut dyn FnMut(TileId) -> Found) -> ShoreDistances<'a> {
+        ShoreDistances { tiles: &mut self.tiles, look, recent: None }
     }
 }
 
 /// See [`ShoreTiles::looking`].
-pub struct Shores<'a> {
+pub struct ShoreDistances<'a> {
     tiles: &'a mut HashMap<TileId, Option<SharedTexels>>,
     look: &'a mut dyn FnMut(TileId) -> Found,
     recent: Option<(TileId, Option<SharedTexels>)>,
@@ -74,7 +74,7 @@ pub fn cos_lat(y: f64) -> f64 {
     1.0 / libm::cosh(TAU * (0.5 - y))
 }
 
-impl Shores<'_> {
+impl ShoreDistances<'_> {
     /// Signed distances to the shores of ocean and lakes at a place of Mercator's unit map, metres, positive in the water; `None`
     /// while a tile is on its way.
     pub fn distances_m(&mut self, z: u8, (x, y): (f64, f64)) -> Option<[f64; 2]> {

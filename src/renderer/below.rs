@@ -35,12 +35,14 @@ impl Side {
     pub(super) fn of(frame: &Frame, place: Option<&Sample>, shore: Option<&ShoreWaves>, blends: bool) -> Self {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
-        let shows_surf = frame.shows_surf(shore_m);
         let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
         let is_lake = place.is_some_and(|place| place.class == WaterClass::Lake);
         let shows_lakes = frame.has_waves() && (is_lake || lake_m > -LAKES_SEEN_M);
-        let over_m = depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m, shore));
-        let is_cut = blends && frame.has_light() && over_m.abs() < CUT_M;
+        let over_m = |shore| depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m, shore));
+        // At the lens and from below the waves are those of the open sea: so they are all over a picture that these cut.
+        let is_cut = blends && frame.has_light() && over_m(None).abs() < CUT_M;
+        let shows_surf = frame.shows_surf(shore_m) && !is_cut;
+        let over_m = over_m(shore.filter(|_| shows_surf));
         Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf, shows_lakes }
     }
 

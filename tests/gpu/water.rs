@@ -30,13 +30,13 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&places) { return; }
     let place = places[id.x];
     let p = vec3f(place.xy, -frame.eye_altitude);
-    let slopes = slopes_at(p, place.z, place.w);
+    let slopes = slopes_in(OPEN_SEA, p, place.z, place.w);
     let plane = plane_of(0u);
     let triangle = lattice_triangle(plane, 0u, frame.spacings.x, in_plane(plane, p));
     let placed = placement(plane, 0u, frame.spacings.x, frame.patches.x, triangle, 0u);
     let ax = placed.axis_x;
     let ay = placed.axis_y;
-    found[2u * id.x] = vec4f(displacement_at(p, place.z, place.w).z, 0.0, 0.0, 0.0);
+    found[2u * id.x] = vec4f(displacement_in(OPEN_SEA, p, place.z, place.w).z, 0.0, 0.0, 0.0);
     found[2u * id.x + 1u] = vec4f(dot(slopes.slope, ax), dot(slopes.slope, ay), slopes.rough);
 }";
 

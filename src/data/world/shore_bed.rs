@@ -1,7 +1,8 @@
 //! The bed around a piece of coast, for the waves that come to it: always from the same tiles, whatever else is at hand, so that waves do not
 //! shift while tiles come.
 
-use super::{Key, World};
+use super::World;
+use crate::data::exposure::Found;
 use crate::data::tile::{Layer, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 use crate::data::{SharedTexels, TileTexels};
@@ -77,20 +78,12 @@ impl World {
 
     /// The tile, or its nearest ancestor that there is. What is not at hand is asked for, without an answer to anybody.
     fn served(&mut self, layer: Layer, id: TileId) -> Served {
-        for z in (0..=id.z).rev() {
-            let Some(id) = id.ancestor(z) else { continue };
-            let key: Key = (layer, id);
-            if let Some(texels) = self.cache.get(&key) {
-                return Served::By(id, texels);
+        for id in (0..=id.z).rev().filter_map(|z| id.ancestor(z)) {
+            match self.look(layer, id) {
+                Found::Tile(texels) => return Served::By(id, texels),
+                Found::Absent => {}
+                Found::Coming => return Served::Later,
             }
-            if self.absent.contains(&key) || self.given_up.contains_key(&key) {
-                continue;
-            }
-            if !self.pending.contains_key(&key) {
-                self.request(layer, id);
-                self.unfinished.asks_silently(key);
-            }
-            return Served::Later;
         }
         Served::Nothing
     }

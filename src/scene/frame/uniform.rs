@@ -330,7 +330,7 @@ gpu_struct! {
         /// Waves that break on shores: their period, s; for how many seconds their fronts are dense; their height over the depth that they break
         /// in; in how many seconds their white water fades.
         surf: Vec4 = "vec4f",
-        /// How far the bed falls from a shore at most, metres per metre; the rest is 0.
+        /// How far the bed falls from a shore at most, metres per metre; width of the surf over the usual one; the rest is 0.
         shore: Vec4 = "vec4f",
         /// Patch lengths of the cascades, metres.
         patches: Vec4 = "vec4f",

@@ -32,7 +32,7 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let breaks = SURF_BREAKS / settings.surf.width.max(1e-3);
     let white_s = if settings.shown_foam().amount > 0.0 { model::foam::LIFETIME_S } else { NO_FOAM_S };
     u.surf = DVec4::new(period_s, white_s.min(FRONT_S), breaks, white_s).as_vec4();
-    u.shore.x = settings.surf.beach_slope as f32;
+    (u.shore.x, u.shore.y) = (settings.surf.beach_slope as f32, settings.surf.width as f32);
     let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
     let height = spray::scale_height_m(sea.sea.hs_m);
     u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();

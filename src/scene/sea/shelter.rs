@@ -16,7 +16,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use crate::data::exposure::{Found, ShoreTiles, Shores, Water, cos_lat};
+use crate::data::exposure::{Found, ShoreTiles, ShoreDistances, Water, cos_lat};
 use crate::data::fetch::now_s;
 use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, TileId, map_from_lat_lon};
 use crate::model::earth::WGS84;
@@ -162,7 +162,7 @@ impl Shelter {
         &mut self,
         level: usize,
         window: &Window,
-        (local, shores): (&Local, &mut Shores),
+        (local, shores): (&Local, &mut ShoreDistances),
         until_s: f64,
     ) -> (bool, bool) {
         let shift = 32 - window.bits;
@@ -301,7 +301,7 @@ fn reach_m(level: usize, y: f64) -> f64 {
 }
 
 /// Whether no node of a window has land in its way.
-fn is_open(shores: &mut Shores, window: &Window) -> Option<bool> {
+fn is_open(shores: &mut ShoreDistances, window: &Window) -> Option<bool> {
     let [x, y] = window.middle.map(|at| f64::from(at) / 32f64.exp2());
     let reach = SIDE as f64 / f64::from(window.bits).exp2();
     // Distances are ground metres; towards the equator the window is wider.

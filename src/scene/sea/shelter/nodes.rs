@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{BITS, Gains};
-use crate::data::exposure::{Shores, Water, cos_lat};
+use crate::data::exposure::{ShoreDistances, Water, cos_lat};
 use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, lat_lon_from_map, texels_across};
 use crate::model::lakes;
 use crate::model::sea_tables::SeaTables;
@@ -138,7 +138,7 @@ pub(super) fn between(
 }
 
 /// A node; `None` while a tile is on its way.
-pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut Shores) -> Option<Node> {
+pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut ShoreDistances) -> Option<Node> {
     let around = f64::from(BITS[level]).exp2();
     let mut at = (f64::from(place[0]) / around, f64::from(place[1]) / around);
     let mut node = Node { place, ..Node::NONE };
@@ -180,7 +180,7 @@ pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut S
 }
 
 /// The place in a water so far off its shore, metres, that is next to a place on land.
-fn into_water(shores: &mut Shores, (z, water): (u8, Water), mut at: (f64, f64), off_m: f64) -> Option<(f64, f64)> {
+fn into_water(shores: &mut ShoreDistances, (z, water): (u8, Water), mut at: (f64, f64), off_m: f64) -> Option<(f64, f64)> {
     for _ in 0..2 {
         let texel = 1.0 / texels_across(z);
         let mut shore_m = |dx: f64, dy: f64| {
