@@ -4,7 +4,7 @@
 //! water before the eye, and what it needs of the world before it can be drawn, has files of its own below.
 
 use crate::data::streaming::Streaming;
-use crate::data::tile::{Layer, Projection, TileId};
+use crate::data::tile::{Layer, Projection};
 use crate::data::world::World;
 use crate::error::Result;
 use crate::gpu::drawing::{begin, resume};
@@ -32,7 +32,7 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::shores::Shores;
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::Camera;
-use crate::scene::view::map_tiles::rugged_m;
+use crate::scene::view::map_tiles::DrawnTile;
 
 mod below;
 mod cost;
@@ -86,7 +86,7 @@ pub struct Renderer {
     /// Of the last frame.
     dispatches: usize,
     /// Map tiles of the ground; `None` from space.
-    visible: Option<Vec<TileId>>,
+    visible: Option<Vec<DrawnTile>>,
     complete: bool,
 }
 
@@ -210,8 +210,7 @@ impl Renderer {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
             }
             // Coarse tiles are far ones.
-            let streaming = &self.streaming;
-            self.land.set_tiles(&self.gpu, tiles.iter().rev().map(|id| (*id, rugged_m(*id, streaming).is_some())));
+            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied());
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

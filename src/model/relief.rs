@@ -28,6 +28,9 @@ pub const BROAD: u32 = 2;
 /// All octaves.
 pub const OCTAVES: u32 = 11;
 
+/// Who sees no smaller than this, metres, sees no relief: half of the broadest edge (`relief_shown` in `shaders/lib/relief.wgsl`), which is
+/// more than raised islands need (`LIFT_SEEN` in `shaders/lib/rugged.wgsl`).
+pub const WIDEST_M: f64 = 4_096.0;
 /// Octaves that the ground's mesh can hold; the finer ones are seen as shading alone.
 pub const MESH_FOOTPRINT_M: f64 = 8.0;
 

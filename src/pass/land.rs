@@ -3,10 +3,10 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::kind::{ByGround, Kind};
-use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
+use crate::scene::view::map_tiles::DrawnTile;
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
 pub const GRID: u32 = 16;
@@ -83,11 +83,11 @@ impl Land {
         }
     }
 
-    /// Sets the tiles of the next draw, and whether each has relief of its own; what comes first should be near: it spares the shading of
+    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of
     /// what it hides.
-    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = (TileId, bool)>) {
-        let (rugged, plain): (Vec<_>, Vec<_>) = tiles.take(MOST_TILES).partition(|(_, rugged)| *rugged);
-        let instance = |(id, _): &(TileId, bool)| Instance {
+    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = DrawnTile>) {
+        let (rugged, plain): (Vec<_>, Vec<_>) = tiles.take(MOST_TILES).partition(|tile| tile.is_rugged);
+        let instance = |DrawnTile { id, .. }: &DrawnTile| Instance {
             square: id.projection as u32,
             level: u32::from(id.z),
             x: id.x,

@@ -6,7 +6,8 @@ use ocean_globe::data::streaming::Streaming;
 use ocean_globe::data::tile::{Projection, TileId, lat_lon_from_map};
 use ocean_globe::data::world::World;
 use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
-use ocean_globe::scene::view::camera::Camera;
+use ocean_globe::model::relief::WIDEST_M;
+use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 use ocean_globe::scene::view::map_tiles::{Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -41,6 +42,29 @@ fn places(id: TileId) -> impl Iterator<Item = (f64, f64)> {
         .map(move |(x, y)| lat_lon_from_map(id.projection, (f64::from(id.x) + x) * side, (f64::from(id.y) + y) * side))
 }
 
+/// The tiles that a view draws.
+fn drawn_ids(camera: &Camera, streaming: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
+    drawn_tiles(camera, SIZE, streaming, hiding).into_iter().map(|tile| tile.id).collect()
+}
+
+#[test]
+fn relief_is_made_where_pixels_are_narrow_enough_for_it() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    let mut tiles_of = |altitude_m: f64| {
+        let camera = Camera::from_degrees(46.5, 9.0, altitude_m, 0.0, 0.0);
+        load(&mut streaming, &mut world, &camera);
+        drawn_tiles(&camera, SIZE, &streaming, None)
+    };
+    // Over the Alps. Pixels of a picture of 360 rows that shows 45 degrees are 2.2 mm wide a metre of distance; those of 4,096 m and more show no relief.
+    let mut rugged = |altitude_m: f64| {
+        let tiles = tiles_of(altitude_m);
+        println!("{altitude_m} m: {} of {} tiles", tiles.iter().filter(|tile| tile.is_rugged).count(), tiles.len());
+        tiles.iter().any(|tile| tile.is_rugged)
+    };
+    let widest_m = WIDEST_M / (2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / f64::from(SIZE[1]));
+    assert_eq!([0.1, 0.5, 0.9, 3.0].map(|part| part * widest_m).map(&mut rugged), [true, true, true, false]);
+}
+
 #[test]
 fn what_the_sea_hides_is_deep_ocean() {
     let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
@@ -62,7 +86,7 @@ fn what_the_sea_hides_is_deep_ocean() {
         let camera = Camera::from_degrees(lat, lon, altitude_m, heading, tilt);
         let hiding = Hiding { depth_m: opaque_depth_m(rho), resolution_m: 9_277.0, beach_slope: 0.03 };
         load(&mut streaming, &mut world, &camera);
-        let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
+        let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_ids(&camera, &streaming, hiding));
         let hidden: Vec<_> = all.iter().filter(|id| !drawn.iter().any(|other| overlap(**id, *other))).collect();
         for id in &hidden {
             for (lat, lon) in places(**id) {
@@ -85,7 +109,7 @@ fn over_the_open_ocean_no_bed_is_drawn_and_under_an_eye_in_it_all_of_it() {
     let camera = Camera::from_degrees(35.6812, -14.25, 2.0, 262.0, 83.0);
     let hiding = Hiding { depth_m: opaque_depth_m(0.2), resolution_m: 9_277.0, beach_slope: 0.03 };
     load(&mut streaming, &mut world, &camera);
-    let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_tiles(&camera, SIZE, &streaming, hiding));
+    let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_ids(&camera, &streaming, hiding));
     assert!(drawn.is_empty(), "{drawn:?}");
     // Shores are known down to level 13, more finely than any mesh is: its cells are 76 m wide at the equator, 16 of them to a tile.
     assert_eq!(deepest_mesh(Projection::Mercator, &streaming), 15);

@@ -16,7 +16,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use crate::data::exposure::{Found, ShoreTiles, ShoreDistances, Water, cos_lat};
+use crate::data::exposure::{Found, ShoreDistances, ShoreTiles, Water, cos_lat};
 use crate::data::fetch::now_s;
 use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, TileId, map_from_lat_lon};
 use crate::model::earth::WGS84;

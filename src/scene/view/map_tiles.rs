@@ -8,6 +8,7 @@ use glam::DVec3;
 use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
+use crate::model::relief::WIDEST_M;
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// Deepest level of the ground's mesh, whatever the archives hold: cells of 76 m at the equator.
@@ -41,6 +42,17 @@ const ISLAND_BED_M: f64 = -500.0;
 const ISLAND_INLAND_M: f64 = 1_000.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
+/// Cells of tiles with relief are at most so many pixels wide; as in `shaders/lib/rugged.wgsl`.
+const CELL_PIXELS: f64 = 8.0;
+
+/// A tile of the ground to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrawnTile {
+    /// Which one.
+    pub id: TileId,
+    /// Whether relief that the data do not hold may be seen on it.
+    pub is_rugged: bool,
+}
 
 /// How a sea hides its bed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,7 +152,7 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
 
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
 /// there is no relief but what the data hold (`model::rugged`). Some way inland beside deep water there may be any.
-pub fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
+fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
@@ -183,14 +195,23 @@ pub fn deepest_mesh(projection: Projection, tiles: &Streaming) -> u8 {
     (deepest_tiles(&Layer::SHAPE, projection, tiles) + LEVELS_BELOW).min(DEEPEST_MESH)
 }
 
+/// How wide a pixel, or a cell of the mesh, is on the nearest ground that a tile may have, metres.
+fn least_pixel_m(b: &Bounds, visibility: &Visibility) -> f64 {
+    (b.centre.distance(visibility.eye) - b.radius - RELIEF_M).max(0.0) * visibility.pixel_angle
+}
+
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
 /// the ground, and how the sea hides its bed, if it does.
-pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
-    refined(camera, size, |id, far_m, visibility, b| {
+pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: Option<Hiding>) -> Vec<DrawnTile> {
+    let visibility = Visibility::new(camera, size);
+    let is_rugged = |id| least_pixel_m(&bounds(id), &visibility) < WIDEST_M && rugged_m(id, tiles).is_some();
+    let ids = refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
         let usual = deepest_mesh(id.projection, tiles);
-        let Some(range_m) = rugged_m(id, tiles).filter(|range_m| shows && *range_m >= RUGGED_M) else {
+        // Where no cell is narrow enough for any of the relief the data alone shape the mesh.
+        let is_held = shows && CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
+        let Some(range_m) = rugged_m(id, tiles).filter(|range_m| is_held && *range_m >= RUGGED_M) else {
             return Judged { shows, divisible: id.z < usual, finer: 1.0, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
@@ -202,7 +223,8 @@ pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: O
             0.5
         };
         Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer, ground_m }
-    })
+    });
+    ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
 }
 
 /// What is to become of a tile of the quadtree.

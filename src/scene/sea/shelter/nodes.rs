@@ -180,7 +180,12 @@ pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut S
 }
 
 /// The place in a water so far off its shore, metres, that is next to a place on land.
-fn into_water(shores: &mut ShoreDistances, (z, water): (u8, Water), mut at: (f64, f64), off_m: f64) -> Option<(f64, f64)> {
+fn into_water(
+    shores: &mut ShoreDistances,
+    (z, water): (u8, Water),
+    mut at: (f64, f64),
+    off_m: f64,
+) -> Option<(f64, f64)> {
     for _ in 0..2 {
         let texel = 1.0 / texels_across(z);
         let mut shore_m = |dx: f64, dy: f64| {
