@@ -62,7 +62,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, rest, up); }
     let ground_across = ground_footprint(across, direction, up);
-    let lit = lit_ground(point, sin_lat, up, ground, NO_RELIEF, ground_across, light);
+    let lit = lit_ground(point, sin_lat, up, ground, NO_RELIEF, ground_across, light, 0.0);
 
     // Water that is seen, and how much of the pixel it fills.
     let ocean = ocean_share(ground, ground_across);

@@ -1,10 +1,12 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
-// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, and `LAKES`, whether lakes may be so near
-// that their waves show, of src/pass/land.rs.
+// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `LAKES`, whether lakes may be so near
+// that their waves show, and `SWASH`, whether waves may run up it, of src/pass/land.rs.
 #import ground
 #import lace
 #import waves
 #import spray
+#import surf
+#import swash
 #import output
 
 struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
@@ -16,12 +18,15 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
+    @location(5) shore: vec4f,                         // height of the waves that come in to it, and how far they run up; the way down to it, east and north
 }
 
 const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
+const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
+const BEACH_KIND = 2.5;          // of the water that runs up beaches
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
@@ -63,8 +68,16 @@ fn vertex(in: Tile) -> Vertex {
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = rest + up * height;
+    var shore = vec4f(0.0);
+    if SWASH {
+        let way = max(spacing, 20.0);
+        let rise = vec2f(ocean_shore_at(beside(point, raw_sin_lat, vec2f(way, 0.0)), sin_lat, spacing),
+            ocean_shore_at(beside(point, raw_sin_lat, vec2f(0.0, way)), sin_lat, spacing)) - ground.ocean_shore;
+        let height = height_coming_in(local_sea(point), length(rest));
+        shore = vec4f(height, run_up_reach(height), rise / max(length(rise), 1e-3));
+    }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out));
+        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shore);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -100,6 +113,30 @@ fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> Wa
         foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint), FINE);
     }
     return lake_water(direction * at.distance, direction, up, normal, rough, foam);
+}
+
+// A beach that waves run up: `dry` is its radiance without them.
+fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, shore: vec4f, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
+    let x = select(-at.ground.ocean_shore, -1.0, at.ground.is_ocean | at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
+    let down = shore.zw / max(length(shore.zw), 1e-3);
+    let line = beside(at.point, at.sin_lat, down * max(x, 0.0));
+    let place = beach_place(at.point);
+    let swash = swash_at(line, place, x, shore.x, footprint);
+    let rest = surface_from_normal_delta(at.dn);
+    // Foam goes with the water that carries it.
+    let moved = rest + vec3f(down * swash.run, 0.0);
+    let wrinkles = bed_noise(place + 0.7 * down * swash.run, 1.0, 71u).xy * shown(footprint, 1.0) + 0.5 * bed_noise(place + down * swash.run, 0.25, 72u).xy * shown(footprint, 0.25);
+    let normal = normalize(up - vec3f(0.012 * wrinkles, 0.0));
+    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(4.0 * foam_coordinates(moved), 4.0 * footprint), FINE);
+    let sheen = saturate(swash.shines);
+    let rough = vec2f(mix(0.02, 0.0006, sheen));
+    // Heaps, footprints of wind, grains.
+    let grain = 0.3 * bed_noise(place, 4.0, 73u).z + 0.25 * shown(footprint, 0.5) * bed_noise(place, 0.5, 74u).z
+        + 0.35 * shown(footprint, 0.0625) * bed_noise(place, 0.0625, 75u).z;
+    let sand = dry * (1.0 + sandy * smoothstep(1.9 * shore.y, 1.5 * shore.y, x) * grain * (1.0 - 0.6 * swash.damp)) * mix(1.0, WET_SAND, sandy * swash.damp);
+    let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
+        Bed(dry * (1.0 + 0.4 * grain), 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
+    return mix(sand, film, sandy * max(sheen, swash.foam));
 }
 
 // Where a ray meets the ellipsoid.
@@ -160,9 +197,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
         made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
-    let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light);
+    let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light, in.shore.y);
     var radiance = lit.radiance;
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), lake_share(ground, footprint)); }
+    if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }

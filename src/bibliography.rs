@@ -202,6 +202,17 @@ pub enum Abreu2010 {}
 /// nearshore morphodynamic models*, Coastal Eng. 65, 56–63: shape by the Ursell number. <https://doi.org/10.1016/j.coastaleng.2012.03.006>
 pub enum Ruessink2012 {}
 
+/// Stockdon, H. F., Holman, R. A., Howd, P. A. and Sallenger, A. H. (2006), *Empirical parameterization of setup, swash, and runup*,
+/// Coastal Eng. 53, 573–588. <https://doi.org/10.1016/j.coastaleng.2005.12.005>
+pub enum Stockdon2006 {}
+
+/// Shen, M. C. and Meyer, R. E. (1963), *Climb of a bore on a beach. Part 3. Run-up*, J. Fluid Mech. 16, 113–125: the sheet behind the front.
+pub enum Shen1963 {}
+
+/// Sunamura, T. (1984), *Quantitative predictions of beach-face slopes*, Geol. Soc. Am. Bull. 95, 242–245: slope by the height and period of
+/// breakers and the size of grains.
+pub enum Sunamura1984 {}
+
 /// Zhao, H. (2005), *A fast sweeping method for eikonal equations*, Math. Comp. 74, 603–627: Godunov's upwind differences, swept over a
 /// grid in four orders. <https://doi.org/10.1090/S0025-5718-04-01678-3>
 pub enum Zhao2005 {}

@@ -32,7 +32,7 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::shores::Shores;
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::Camera;
-use crate::scene::view::map_tiles::DrawnTile;
+use crate::scene::view::map_tiles::{DrawnTile, has_beach};
 
 mod below;
 mod cost;
@@ -210,7 +210,9 @@ impl Renderer {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
             }
             // Coarse tiles are far ones.
-            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied());
+            let shows_beaches = side.shows_surf && kind.shows_lakes();
+            let beach = |id| shows_beaches && has_beach(id, &self.streaming);
+            self.land.set_tiles(&self.gpu, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

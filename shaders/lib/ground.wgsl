@@ -24,9 +24,11 @@ fn east_at(up: vec3f) -> vec3f {
     return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
 }
 
-struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f }
+// `sandy`: how much of a beach there may be, between cliffs and snow.
+struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 
-fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Made, footprint: Metres, light: Daylight) -> LitGround {
+// `washed`: how far waves run up the shore; nothing grows there.
+fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Made, footprint: Metres, light: Daylight, washed: Metres) -> LitGround {
     let east = east_at(up);
     let north = cross(up, east);
     let terrain = terrain_slope(point, sin_lat, footprint);
@@ -38,9 +40,12 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
     var shaded = normal;
     var sand = SAND;
     var beach = BEACH;
+    var uneven = 1.0;
+    var sandy = smoothstep(0.15, 0.09, length(terrain));
     if IMAGERY {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
+        sandy *= 1.0 - snowy;
         sand = mix(mix(SAND, ROCK, smoothstep(0.04, 0.12, length(terrain))), albedo, snowy);
         if FINE {
             let detail = ground_detail(point.at, footprint);
@@ -56,6 +61,7 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
             let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) + 0.1 * detail.tone);
             albedo = mix(albedo, ROCK, 0.7 * steep);
             // Beaches come and go along a shore.
+            uneven = 1.0 + 0.5 * detail.tone;
             beach = max(beach * smoothstep(-0.3, 0.5, detail.coarse + 0.3 * detail.tone), 1.0);
         }
     } else {
@@ -65,12 +71,15 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
         albedo = bed_colour(-ground.elevation);
         if FINE && SHOWS_COVER { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
     }
-    albedo = mix(albedo, sand, smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
-        * select(saturate(beach / footprint), 0.0, is_bed));
+    let bare = select(sandy * smoothstep(-1.9 * washed - 0.1, -1.6 * washed, uneven * ground.ocean_shore), 0.0, is_bed | (washed <= 0.0));
+    let strewn = smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
+        * select(saturate(beach / footprint), 0.0, is_bed);
+    albedo = mix(albedo, sand, max(strewn, bare));
+    shaded = normalize(mix(shaded, normal, bare));
     let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
     // Valleys see less of the sky.
     let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0));
-    return LitGround(normal, albedo, albedo / PI * (sun + ambient));
+    return LitGround(normal, albedo, albedo / PI * (sun + ambient), sandy);
 }
 
 const LAKE_KIND = 2.5;             // of the water of lakes

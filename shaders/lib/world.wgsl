@@ -118,6 +118,19 @@ fn texel_metres(point: MapPoint, level: f32, sin_lat: f32) -> Metres {
     return select(polar, EARTH_TURN * cos_lat, point.square == MERCATOR) / (f32(TILE_TEXELS) * exp2(level));
 }
 
+// A point so many metres east and north of another, which is not far from it.
+fn beside(point: MapPoint, sin_lat: f32, way: vec2f) -> MapPoint {
+    let units = way * vec2f(1.0, -1.0) / max(texel_metres(point, 0.0, sin_lat), 1e-3) * 16777216.0;
+    return MapPoint(point.square, point.at + bitcast<vec2u>(vec2i(units)));
+}
+
+// Signed distance to the ocean's shore alone.
+fn ocean_shore_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Metres {
+    let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
+    let page = pages_at(point, level_for(point, footprint, cos_lat)).water;
+    return bilinear(true, point, page).x * texel_metres(point, f32(page.level), sin_lat);
+}
+
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let found = pages_at(point, level_for(point, footprint, cos_lat));

@@ -42,6 +42,7 @@ pub mod spreading;
 pub mod sun;
 pub mod surf;
 pub mod surface;
+pub mod swash;
 pub mod wave_data;
 pub mod wave_domain;
 pub mod wave_trains;

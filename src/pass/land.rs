@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::kind::{ByGround, Kind};
+use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Depth, DepthTest};
 use crate::gpu::{Gpu, shader};
@@ -22,23 +23,23 @@ struct Instance {
 }
 
 /// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, with lakes
-/// so near that their waves show or without.
-pub fn source(kind: Kind, imagery: bool, [rugged, lakes]: [bool; 2]) -> String {
-    let definitions =
-        kind.ground_definitions(imagery) + &format!("const RUGGED: bool = {rugged};\nconst LAKES: bool = {lakes};\n");
-    shader::composed(include_str!("../../shaders/land.wgsl"), &definitions)
+/// so near that their waves show or without, with beaches that waves run up or without.
+pub fn source(kind: Kind, imagery: bool, [rugged, lakes, beach]: [bool; 3]) -> String {
+    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("SWASH", beach)];
+    let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
+    shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
 }
 
 /// The pass.
 pub struct Land {
-    /// Without waves of lakes and with, each of ground without relief of its own, and with.
-    pipelines: [[ByGround; 2]; 2],
+    /// Without waves of lakes and with, each of ground without relief of its own and without beaches, with relief, with beaches, with both.
+    pipelines: [[ByGround; 4]; 2],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
     instances: wgpu::Buffer,
-    /// Tiles of the next draw, without relief of their own and with; the latter come first.
-    counts: [u32; 2],
+    /// Tiles of the next draw: as the pipelines; the last come first.
+    counts: [u32; 4],
 }
 
 /// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
@@ -64,9 +65,10 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |lakes, rugged| {
-            let source = |kind, imagery| source(kind, imagery, [rugged, lakes]);
-            let kinds = move || Kind::all().filter(move |kind| !lakes || kind.shows_lakes());
+        let pipelines = |lakes: bool, ground: usize| {
+            let [rugged, beach] = [1, 2].map(|bit| ground & bit != 0);
+            let source = |kind, imagery| source(kind, imagery, [rugged, lakes, beach]);
+            let kinds = move || Kind::all().filter(move |kind| !(lakes || beach) || kind.shows_lakes());
             ByGround::new(kinds, |kind, imagery| {
                 gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
             })
@@ -74,46 +76,51 @@ impl Land {
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: [false, true].map(|lakes| [false, true].map(|rugged| pipelines(lakes, rugged))),
+            pipelines: [false, true].map(|lakes| [0, 1, 2, 3].map(|ground| pipelines(lakes, ground))),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
-            counts: [0; 2],
+            counts: [0; 4],
         }
     }
 
-    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of
-    /// what it hides.
-    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = DrawnTile>) {
-        let (rugged, plain): (Vec<_>, Vec<_>) = tiles.take(MOST_TILES).partition(|tile| tile.is_rugged);
-        let instance = |DrawnTile { id, .. }: &DrawnTile| Instance {
+    /// Sets the tiles of the next draw, and whether each may have beaches that waves run up; what comes first should be near: it spares the
+    /// shading of what it hides.
+    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = (DrawnTile, bool)>) {
+        let mut grounds: [Vec<TileId>; 4] = Default::default();
+        for (DrawnTile { id, is_rugged }, beach) in tiles.take(MOST_TILES) {
+            grounds[usize::from(is_rugged) + 2 * usize::from(beach)].push(id);
+        }
+        let instance = |id: &TileId| Instance {
             square: id.projection as u32,
             level: u32::from(id.z),
             x: id.x,
             y: id.y,
         };
-        let instances: Vec<Instance> = rugged.iter().chain(&plain).map(instance).collect();
+        let instances: Vec<Instance> = grounds.iter().rev().flatten().map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.counts = [plain.len() as u32, rugged.len() as u32];
+        self.counts = grounds.map(|tiles| tiles.len() as u32);
     }
 
     /// Tiles and triangles of the next draw.
     pub fn counts(&self) -> [u32; 2] {
-        let [plain, rugged] = self.counts;
-        [plain + rugged, (plain + rugged) * (self.index_count / 3)]
+        let tiles = self.counts.iter().sum();
+        [tiles, tiles * (self.index_count / 3)]
     }
 
-    /// Its one or two draws, of a kind and with imagery or without, with waves of lakes or without.
+    /// Its draws, four at most, of a kind and with imagery or without, with waves of lakes or without.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
         (kind, lakes): ((Kind, bool), bool),
         groups: [&wgpu::BindGroup; 3],
     ) {
-        let [plain, rugged] = self.counts;
+        let mut drawn = 0;
         let lakes = usize::from(lakes && kind.0.shows_lakes());
-        for (pipelines, tiles) in self.pipelines[lakes].iter().rev().zip([0..rugged, rugged..rugged + plain]) {
+        for (pipelines, count) in self.pipelines[lakes].iter().zip(self.counts).rev() {
+            let tiles = drawn..drawn + count;
+            drawn += count;
             if tiles.is_empty() || !pipelines.set(pass, kind, groups) {
                 continue;
             }

@@ -59,9 +59,10 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
-            all.extend([false, true].map(|rugged| ("land.wgsl", land::source(kind, imagery, [rugged, false]))));
+            all.extend([false, true].map(|rugged| ("land.wgsl", land::source(kind, imagery, [rugged, false, false]))));
             if kind.shows_lakes() {
-                all.push(("land.wgsl", land::source(kind, imagery, [true, true])));
+                let near = [[true, true, false], [true, true, true], [false, false, true]];
+                all.extend(near.map(|near| ("land.wgsl", land::source(kind, imagery, near))));
             }
         }
         all.push(("sky.wgsl", sky::source(kind)));
@@ -236,7 +237,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), true, [true; 2]);
+    let land = land::source(Kind::default(), true, [true; 3]);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);

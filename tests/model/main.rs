@@ -30,5 +30,6 @@ mod stalls;
 mod summed;
 mod sun;
 mod surf;
+mod swash;
 mod wave_trains;
 mod waves;

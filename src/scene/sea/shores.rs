@@ -21,7 +21,7 @@ use crate::model::sea::Sea;
 use crate::model::sea_tables::SeaTables;
 use crate::model::shore_waves::{ADDED, Arrivals, Bed, Following, SHALLOWEST_M};
 use crate::model::wave_trains::{TAKEN, TRAINS, Train, taken_m2, trains};
-use crate::model::{surf, surface, waves};
+use crate::model::{surf, surface, swash, waves};
 use crate::scene::frame::Frame;
 use crate::scene::view::camera::Camera;
 
@@ -57,6 +57,8 @@ pub fn shared_constants() -> String {
         ("SHORE_TRAINS", TRAINS),
         ("SHORE_TABLE", TABLE),
         ("SHORE_NODES", NODES),
+        ("SWASH_CRESTS", swash::CRESTS),
+        ("SWASH_STEPS", swash::STEPS),
     ];
     let numbers = [
         ("PHASE_ADDED", ADDED),
@@ -70,6 +72,13 @@ pub fn shared_constants() -> String {
         ("BREAKER_STABLE", surf::STABLE),
         ("BREAKER_LEAST_INDEX", surf::LEAST_INDEX),
         ("BREAKER_BORE", surf::BORE),
+        ("SWASH_STEEPER", swash::STEEPER),
+        ("SWASH_STEEPEST", swash::STEEPEST),
+        ("SWASH_SHINES", swash::SHINES_S),
+        ("SWASH_FLAT", swash::FLAT[0]),
+        ("SWASH_NOT_FLAT", swash::FLAT[1]),
+        ("SWASH_FLAT_RUNUP", swash::FLAT_RUNUP),
+        ("SWASH_FIFTIETH", swash::RAYLEIGH_FIFTIETH),
     ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));

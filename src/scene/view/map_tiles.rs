@@ -36,6 +36,8 @@ const STEEP_M: f64 = 800.0;
 const NEAREST_M: f64 = 1.0;
 /// The tile of this level around an island that may be raised, 156 km wide at the equator, has deep water.
 const AROUND: u8 = 8;
+/// No wave runs farther up a beach, m; as `SWASH_WIDEST` of `shaders/lib/swash.wgsl`.
+const BEACH_M: f64 = 60.0;
 /// So deep, metres.
 const ISLAND_BED_M: f64 = -500.0;
 /// Such islands reach so far inland, metres.
@@ -160,6 +162,12 @@ fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let is_island = shore_m.least < -ISLAND_INLAND_M && is_deep();
     let range_m = metres.greatest - metres.least.max(0.0);
     (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
+}
+
+/// Whether a tile has a strip of land by the ocean that waves may run up.
+pub fn has_beach(id: TileId, tiles: &Streaming) -> bool {
+    let shore_m = tiles.shore_m(id, id.z);
+    shore_m.is_some_and(|shore_m| shore_m.least < 0.0 && shore_m.greatest > -BEACH_M)
 }
 
 impl Hiding {
