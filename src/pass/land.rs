@@ -92,12 +92,8 @@ impl Land {
         for (DrawnTile { id, is_rugged }, beach) in tiles.take(MOST_TILES) {
             grounds[usize::from(is_rugged) + 2 * usize::from(beach)].push(id);
         }
-        let instance = |id: &TileId| Instance {
-            square: id.projection as u32,
-            level: u32::from(id.z),
-            x: id.x,
-            y: id.y,
-        };
+        let instance =
+            |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
         let instances: Vec<Instance> = grounds.iter().rev().flatten().map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
         self.counts = grounds.map(|tiles| tiles.len() as u32);

@@ -33,6 +33,7 @@ mod spray;
 #[path = "../shared/summed.rs"]
 mod summed;
 mod surface_sample;
+mod swash;
 mod translucence;
 mod under_water;
 mod vertex_branches;

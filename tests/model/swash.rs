@@ -74,7 +74,9 @@ fn crests_come_when_the_sum_does_and_stay_the_same() {
     };
     // One train alone: its crests are a period apart and as high as twice its amplitude.
     let [first, second, ..] = crests(&[Arriving { omega: 1.0, amplitude: 0.4, phase: 0.7 }], 1.0);
-    assert!((first.age - 0.7).abs() < 1e-9 && (second.age - 0.7 - TAU).abs() < 1e-9 && (first.height - 0.8).abs() < 1e-9);
+    assert!(
+        (first.age - 0.7).abs() < 1e-9 && (second.age - 0.7 - TAU).abs() < 1e-9 && (first.height - 0.8).abs() < 1e-9
+    );
     let mut compared = 0;
     for second in 0..200 {
         let now = f64::from(second);
@@ -84,15 +86,17 @@ fn crests_come_when_the_sum_does_and_stay_the_same() {
                 continue;
             }
             let there = at(now - crest.age);
-            let [cosines, sines] = [0.0, 0.25 * TAU].map(|turn| {
-                there.iter().map(|train| train.amplitude * libm::cos(train.phase - turn)).sum::<f64>()
-            });
+            let [cosines, sines] = [0.0, 0.25 * TAU]
+                .map(|turn| there.iter().map(|train| train.amplitude * libm::cos(train.phase - turn)).sum::<f64>());
             // Between two looks the frequency changes by its spread times a quarter of a period, which bends the phase by up to 0.1.
             assert!(libm::atan2(sines, cosines).abs() < 0.12, "{now}: {crest:?} is none, {cosines} {sines}");
             // A second later it is a second older, unless newer ones have pushed it out.
             let later = crests(&at(now + 1.0), mean);
             let same = later.iter().map(|later| (later.age - crest.age - 1.0).abs()).fold(f64::INFINITY, f64::min);
-            assert!(same < 0.15 || crest.age + 1.0 > (CRESTS as f64 - 1.0) * 5.0, "{now}: {crest:?} has gone, {later:?}");
+            assert!(
+                same < 0.15 || crest.age + 1.0 > (CRESTS as f64 - 1.0) * 5.0,
+                "{now}: {crest:?} has gone, {later:?}"
+            );
             compared += 1;
         }
     }

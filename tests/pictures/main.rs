@@ -19,6 +19,7 @@ mod ride;
 mod sheets;
 mod shore;
 mod shore_settings;
+mod swash;
 mod sweep;
 mod tone;
 mod under_water;
