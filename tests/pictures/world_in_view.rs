@@ -24,7 +24,7 @@ fn an_eye_that_looks_down_sees_the_tile_below_it() {
             let foot = MapPoint::from_lat_lon(camera.lat, camera.lon);
             let tiles = drawn_tiles(&camera, [640, 360], &Streaming::default(), None);
             assert!(
-                tiles.iter().any(|id| foot.tile(id.z) == *id),
+                tiles.iter().any(|tile| foot.tile(tile.id.z) == tile.id),
                 "{lat},{lon} from {altitude} m: {} tiles",
                 tiles.len()
             );
