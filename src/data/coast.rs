@@ -8,6 +8,7 @@
 //! hostile tile is not bounded by us, and geometry types besides.
 
 mod bends;
+mod curve;
 pub mod field;
 mod sweep;
 mod wire;
@@ -86,19 +87,16 @@ impl Shores {
         read_tile(bytes).map_err(bad)
     }
 
-    /// The sides of all rings of `tile`, and whether each is a shore: those that cut a ring off at the tile's edge are none.
-    fn sides<'a>(&'a self, tile: TileId) -> impl Iterator<Item = (Level, [[i32; 2]; 2], bool)> + 'a {
+    /// Whether each side of a ring of `tile` is a shore, from its first point on: those that cut a ring off at the tile's edge are none.
+    fn are_shores<'a>(&self, ring: &'a Ring, tile: TileId) -> impl Iterator<Item = bool> + 'a {
         let buffer = BUFFER_TEXELS * self.extent / super::tile::TILE_TEXELS as i32;
         let across = 1u32 << tile.z;
         let cuts = [-buffer, self.extent + buffer];
         let turns = [(tile.x == 0).then_some(0), (tile.x + 1 == across).then_some(self.extent)];
-        let is_made = move |a: [i32; 2], b: [i32; 2]| {
+        let next = ring.points.iter().skip(1).chain(ring.points.first());
+        ring.points.iter().zip(next).map(move |(a, b)| {
             let on = |axis: usize, at: i32| a[axis] == at && b[axis] == at;
-            cuts.iter().any(|at| on(0, *at) || on(1, *at)) || turns.iter().flatten().any(|at| on(0, *at))
-        };
-        self.rings.iter().flat_map(move |ring| {
-            let next = ring.points.iter().skip(1).chain(ring.points.first());
-            ring.points.iter().zip(next).map(move |(a, b)| (ring.level, [*a, *b], !is_made(*a, *b)))
+            !cuts.iter().any(|at| on(0, *at) || on(1, *at)) && !turns.iter().flatten().any(|at| on(0, *at))
         })
     }
 }

@@ -99,7 +99,7 @@ fn tiles_made_of_polygons_say_what_lies_where_and_how_far_the_shores_are() {
     ] {
         assert_eq!(at(lat, lon).class, class, "{lat} {lon}");
     }
-    // A degree of 111.3 km on the sphere of the map; a shore bends by 80 m at most where it is near, far distances are of coarser tiles.
+    // A degree of 111.3 km on the sphere of the map; a shore bends by some 25 m where it is near, far distances are of coarser tiles.
     let degree_m = 111_319.5;
     for (lat, lon, degrees) in [
         (0.0, -0.01, 0.01),

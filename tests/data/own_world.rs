@@ -49,7 +49,7 @@ fn an_island_of_ones_own_is_where_it_was_put_and_as_high() {
         let found = at(lat, lon);
         let wanted_m = (out - RADIUS_DEG) * degree_m;
         let off_m = (found.shore_distance_m.unwrap() - wanted_m).abs();
-        // The tolerance of 50 m, bends of 40 m at most, and what a degree on the map's sphere and on the ellipsoid differ by, 0.7 %; texels
+        // The tolerance of 50 m, bends of some 25 m, and what a degree on the map's sphere and on the ellipsoid differ by, 0.7 %; texels
         // that are as wide as the distance allows take 2 %.
         assert!(off_m < 90.0 + 0.03 * wanted_m.abs(), "{lat} {lon}: {off_m} m off");
         worst[0] = worst[0].max(off_m);

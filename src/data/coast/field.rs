@@ -6,7 +6,7 @@
 //! doi:10.1016/0146-664X(80)90054-4), where its distance to the piece itself counts, which is exact. The side is told by how many borders
 //! of each level lie to the left.
 
-use super::bends::Bends;
+use super::curve::Curves;
 use super::sweep::{Piece, Sweep};
 use super::{Level, Shores};
 use crate::data::tile::{Projection, TILE_TEXELS, TileId, lat_lon_from_map};
@@ -35,14 +35,25 @@ pub fn field(tile: TileId, z: u8, shores: &Shores) -> Option<OwnShores> {
     let mut borders = vec![0u8; SIDE * (SIDE + 1)];
     let mut pieces = [Vec::new(), Vec::new()];
     let side = SIDE as f64;
-    for (level, [a, b], is_shore) in shores.sides(source) {
-        let (a, b) = (place(a), place(b));
-        if a[1].max(b[1]) < 0.0 || a[1].min(b[1]) > side {
-            continue;
-        }
-        cross(&mut borders, level, a, b);
-        if is_shore && a[0].max(b[0]) >= 0.0 && a[0].min(b[0]) <= side {
-            pieces[usize::from(level != Level::Land)].push(Piece::new(a, b));
+    let mut curves = Curves::of(tile, down);
+    let (mut points, mut are_shores) = (Vec::new(), Vec::new());
+    for ring in &shores.rings {
+        let draw = |a: [f64; 2], b: [f64; 2], is_shore: bool| {
+            if a[1].max(b[1]) < 0.0 || a[1].min(b[1]) > side {
+                return;
+            }
+            cross(&mut borders, ring.level, a, b);
+            if is_shore && a[0].max(b[0]) >= 0.0 && a[0].min(b[0]) <= side {
+                pieces[usize::from(ring.level != Level::Land)].push(Piece::new(a, b));
+            }
+        };
+        points.clear();
+        points.extend(ring.points.iter().map(|point| place(*point)));
+        are_shores.clear();
+        are_shores.extend(shores.are_shores(ring, source));
+        match &mut curves {
+            Some(curves) => curves.ring(&points, &are_shores, draw),
+            None => straight(&points, &are_shores, draw),
         }
     }
     let scale = (tile.z < UNEVEN).then(|| scales(tile));
@@ -53,27 +64,23 @@ pub fn field(tile: TileId, z: u8, shores: &Shores) -> Option<OwnShores> {
     if tile.z > z && texels.clone().all(|at| ocean.texels(inside(at)).min(lake.texels(inside(at))) >= REACH) {
         return None;
     }
-    let bends = Bends::of(tile);
     let mut own = OwnShores { steps: Vec::with_capacity(texels.len()), classes: Vec::with_capacity(texels.len()) };
     for at in texels {
-        let (cell, mut class) = (inside(at), classes[inside(at)]);
-        let mut signed = [(&ocean, WaterClass::Ocean), (&lake, WaterClass::Lake)].map(|(shores, wet)| {
+        let (cell, class) = (inside(at), classes[inside(at)]);
+        let signed = [(&ocean, WaterClass::Ocean), (&lake, WaterClass::Lake)].map(|(shores, wet)| {
             let texels = shores.texels(cell);
             if class == wet as u8 { texels } else { -texels }
         });
-        if let Some(bends) = &bends {
-            signed = bends.moved(at, signed);
-            class = match signed.map(|texels| texels > 0.0) {
-                [true, _] => WaterClass::Ocean as u8,
-                [_, true] => WaterClass::Lake as u8,
-                _ if class == WaterClass::Island as u8 => class,
-                _ => WaterClass::Land as u8,
-            };
-        }
         own.steps.push(signed.map(steps));
         own.classes.push(class);
     }
     Some(own)
+}
+
+/// Draws the sides as they are.
+fn straight(points: &[[f64; 2]], are_shores: &[bool], mut draw: impl FnMut([f64; 2], [f64; 2], bool)) {
+    let next = points.iter().skip(1).chain(points.first());
+    points.iter().zip(next).zip(are_shores).for_each(|((a, b), is_shore)| draw(*a, *b, *is_shore));
 }
 
 /// Signed steps, never zero.
