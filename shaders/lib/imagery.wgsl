@@ -47,7 +47,7 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
 }
 
-// What is finer than any imagery here, from 5 km down to 1 m or what pixels hold: tones whose mean is none, of all and of the coarse half, and
+// What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of the coarse half, and
 // the rise of small hills right and down on the map, as slopes of about one.
 struct Detail { tone: f32, coarse: f32, rise: vec2f }
 
@@ -72,7 +72,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
         place = at + bitcast<vec2u>(vec2i(WARP * noise.yz * f32(1u << (32u - level))));
         level += 2u;
-        if level > 25u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
+        if level > 27u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
     return detail;
 }

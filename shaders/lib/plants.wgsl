@@ -36,19 +36,22 @@ const TREES = 22u;                 // level whose cells they have: 9.5 m at the 
 const SHRUBS = 24u;
 const GROVES = 20u;                // of the noise of what grows together
 const RAGGED = 24u;                // of the noise that bends their outlines
+const TOO_NEAR = vec2f(0.02, 0.2); // widths of pixels, metres, between which caps go: from among them they would be discs on the ground
 
 // Caps on ground that is so `green`, and has so much more on it than the ground around (`fertile`, about 0).
 fn plants(at: vec2u, green: f32, fertile: f32, footprint: Metres) -> Caps {
     let share = clamp(mix(0.16, 0.85, green) + mix(0.30, 0.35, green) * fertile, 0.02, 0.98);
     let radius = mix(0.26, 0.68, green) * (1.0 + 0.25 * clamp(fertile, -1.0, 0.0));
     let seen = 1.0 - smoothstep(vec2f(0.25), vec2f(0.7), footprint * exp2(vec2f(f32(TREES), f32(SHRUBS))) / EARTH_TURN);
+    let far = smoothstep(TOO_NEAR.x, TOO_NEAR.y, footprint);
     // No outline is round.
     let bend = map_noise_rise(at, RAGGED, RAGGED).yz;
     let bent = at + bitcast<vec2u>(vec2i(0.4 * bend * exp2(32.0 - f32(RAGGED))));
     let trees = caps(bent, TREES, share, radius);
     let shrubs = caps(bent, SHRUBS, share, radius);
     // Small ones fill what stands between trees; groves of one kind are brighter than others.
-    let small = seen.y * mix(0.6, 0.35, green);
+    let small = far * seen.y * mix(0.6, 0.35, green);
     let kind = 1.0 + 1.2 * (map_noise(at, GROVES, GROVES) - 0.5);
-    return Caps(kind * seen.x * trees.height + small * shrubs.height, seen.x * trees.rise + small * shrubs.rise);
+    let tall = far * seen.x;
+    return Caps(kind * tall * trees.height + small * shrubs.height, tall * trees.rise + small * shrubs.rise);
 }
