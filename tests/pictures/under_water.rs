@@ -16,9 +16,9 @@ use ocean_globe::scene::view::camera::Camera;
 use ocean_globe::scene::view::state::ViewState;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
-/// Off the Exumas, Bahamas: 3.5 m of water.
-const SHALLOWS: &str = "24.31,-76.56";
-const SHALLOWS_BELOW: &str = "24.31,-76.56,-1.5";
+/// Off the Exumas, Bahamas: 3.8 m of water.
+const SHALLOWS: &str = "24.31,-76.561";
+const SHALLOWS_BELOW: &str = "24.31,-76.561,-1.5";
 const NOON: &str = "time=2026-06-21T17:00:00Z&clouds=0";
 
 fn state(link: &str) -> ViewState {

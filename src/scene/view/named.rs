@@ -101,7 +101,7 @@ pub const VIEWS: [View; 14] = [
         id: "underwater",
         widget: "viewUnderwater",
         title: "under water",
-        fragment: "view=24.31,-76.56,-1.6,200,86&bft=3&clouds=0.3&time=2026-06-21T16:30:00Z",
+        fragment: "view=24.31,-76.561,-1.6,200,86&bft=3&clouds=0.3&time=2026-06-21T16:30:00Z",
     },
 ];
 

@@ -10,7 +10,7 @@ export const COAST = `#view=38.7,-9.45,30000&clouds=0&wind=8@250${STILL}`;
 export const UNDER_CLOUDS = `#view=35,-30,4,250,84&wind=6@250&clouds=0.5&quality=low${STILL}`;
 export const OVER_CLOUDS = `#view=38,-20,2000000&clouds=0.5&quality=low${STILL}`;
 /** Over the sand of the Bahamas, and with half of the picture in their water. */
-export const IN_THE_WATER = `#view=24.31,-76.56,-1.5,0,80&clouds=0&wind=4@90${STILL}`;
-export const AT_THE_SURFACE = `#view=24.31,-76.56,0,120,88&ride=1&clouds=0&wind=3@90${STILL}`;
+export const IN_THE_WATER = `#view=24.31,-76.561,-1.5,0,80&clouds=0&wind=4@90${STILL}`;
+export const AT_THE_SURFACE = `#view=24.31,-76.561,0,120,88&ride=1&clouds=0&wind=3@90${STILL}`;
 /** Open Atlantic, 12 m above the water, looking west over the waves. */
 export const AT_SEA = `#view=35,-30,12,270,80&clouds=0&wind=14@250${STILL}`;
