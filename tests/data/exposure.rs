@@ -40,7 +40,7 @@ fn tile_with_lake(id: TileId) -> Found {
         let (x, y) = id.texel_centre((index % TILE_TEXELS) as f64, (index / TILE_TEXELS) as f64);
         let metres = EQUATOR_M * cos_lat(y);
         let lake_m = 0.9 * RADIUS_M - metres * (x - ISLAND.0).hypot(6.0 * (y - ISLAND.1));
-        packed([i32::from(unpacked(*texel).0[0]), (32.0 * lake_m / metres * side) as i32], 1)
+        packed([unpacked(*texel).0[0], (32.0 * lake_m / metres * side) as i32], 1)
     });
     Found::Tile(Arc::new(TileTexels::Water(with_lake.collect())))
 }
