@@ -1,5 +1,6 @@
 // Swash: the sheets of water that waves send up a beach, and the sand that they leave wet. As src/model/swash.rs, in 32 bits: see there what
 // they are. The last crests are found anew in every pixel from the trains as they come to the waterline before it.
+// Long, but one thing: from the height of the run-up to the crests, and from them to what they leave on the sand.
 #import shore_trains
 #import bed_cover
 
