@@ -111,7 +111,7 @@ fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> Wa
         let seen = slopes_in(sea, rest, 0.0, footprint);
         normal = normalize(up - vec3f(seen.slope, 0.0));
         rough = seen.rough;
-        foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint), FINE);
+        foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint, false), FINE);
     }
     return lake_water(direction * at.distance, direction, up, normal, rough, foam);
 }
@@ -128,7 +128,7 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let moved = rest + vec3f(down * swash.run, 0.0);
     let wrinkles = bed_noise(place + 0.7 * down * swash.run, 1.0, 71u).xy * shown(footprint, 1.0) + 0.5 * bed_noise(place + down * swash.run, 0.25, 72u).xy * shown(footprint, 0.25);
     let normal = normalize(up - vec3f(0.012 * wrinkles, 0.0));
-    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(4.0 * foam_coordinates(moved), 4.0 * footprint), FINE);
+    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(4.0 * foam_coordinates(moved), 4.0 * footprint, false), FINE);
     let sheen = saturate(swash.shines);
     let rough = vec2f(mix(0.02, 0.0006, sheen));
     // Heaps, footprints of wind, grains.

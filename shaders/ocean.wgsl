@@ -19,7 +19,7 @@
 
 const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
-const FOLDED = 0.45;           // how much the folds of short waves decide where foam lies
+const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
 // Radiance of the scene in a pixel.
@@ -150,7 +150,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var facets = MEAN_FACETS;
     if FOAM {
         var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
-        var seen = lace_at(foam_at, faced * footprint);
+        var seen = lace_at(foam_at, faced * footprint, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
             if SURF { shares = max(shares, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint)); }

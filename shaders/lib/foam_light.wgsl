@@ -9,6 +9,7 @@ const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its 
 
 struct Foam {
     white: f32,            // opacity, 0…1: the reflectance over that of dense foam
+    open: f32,             // light that reaches it, of what foam without creases gets
     plume: f32,            // share of the water below that is full of bubbles
     shade: f32,            // light that it takes from the water beside it, of all
     slope: vec2f,          // of the foam's own surface on the water's, x east, y north
@@ -16,7 +17,7 @@ struct Foam {
 
 // Foam of no shape.
 fn flat_foam(white: f32, plume: f32) -> Foam {
-    return Foam(white, plume, 0.0, vec2f(0.0));
+    return Foam(white, 1.0, plume, 0.0, vec2f(0.0));
 }
 
 // Radiance of dense foam on water with a `normal`; `sun` and `ambient` are irradiances, of a plane that faces the sun and of a level one.
@@ -25,5 +26,5 @@ fn foam_radiance(foam: Foam, normal: vec3f, to_sun: vec3f, sun: vec3f, ambient: 
     let wrapped = max((dot(own, to_sun) + FOAM_WRAP) / (1.0 + FOAM_WRAP), 0.0);
     // A hollow sees less of the sky.
     let open = 1.0 - 0.3 * min(dot(foam.slope, foam.slope), 1.0);
-    return FOAM_ALBEDO / PI * (sun * wrapped + ambient * open);
+    return FOAM_ALBEDO / PI * foam.open * (sun * wrapped + ambient * open);
 }

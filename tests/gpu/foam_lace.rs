@@ -12,17 +12,22 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import lace
-struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, unused: f32 }
+struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, texels: f32, unused: vec2f }
+struct Found { covered: f32, white: f32, mean_white: f32, open: f32, foam: f32, dense: f32, unused: vec2f }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
-@group(2) @binding(1) var<storage, read_write> found: array<vec3f>;
+@group(2) @binding(1) var<storage, read_write> found: array<Found>;
 @compute @workgroup_size(64)
 fn foamy(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let own = asked[id.x];
-    let seen = lace_at(own.at, own.footprint);
+    // Ways along the rows of the middle net's tile, which lies turned to the wind.
+    let wind = wave_cells[0].wind;
+    let way = frame.foam_levels[0].side * own.texels * inverseSqrt(17.0) * vec2f(4.0, 1.0);
+    let seen = lace_at(own.at + vec2f(wind.y * way.y - wind.x * way.x, -wind.y * way.x - wind.x * way.y), own.footprint, true);
     let dense = dense_from(own.young);
-    found[id.x] = vec3f(covered(excess(own.share, seen.level.x), seen.hidden.x), foam_of(own.share, dense, 1.0, seen, true).white,
-        mean_foam(own.share, dense, 1.0, true).white);
+    let foam = foam_of(own.share, dense, 1.0, seen, true);
+    found[id.x] = Found(covered(excess(own.share, seen.level.x), seen.hidden.x), foam.white, mean_foam(own.share, dense, 1.0, true).white,
+        foam.open, seen.level.x, seen.level.z, vec2f(0.0));
 }";
 
 #[repr(C)]
@@ -32,7 +37,23 @@ struct Asked {
     share: f32,
     young: f32,
     footprint: f32,
-    unused: f32,
+    /// Texels of the lace from there along the middle net's tile.
+    texels: f32,
+    unused: [f32; 2],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Found {
+    covered: f32,
+    white: f32,
+    /// Opacity where pixels hide the lace.
+    mean_white: f32,
+    open: f32,
+    /// Levels of all foam and of dense foam.
+    foam: f32,
+    dense: f32,
+    unused: [f32; 2],
 }
 
 /// Shares of the water under whitecaps: of a breeze, whose foam has neither rows nor a film, and of a storm.
@@ -53,6 +74,8 @@ impl Lace {
         let camera = Camera::from_degrees(10.0, -30.0, 10.0, 0.0, 0.0);
         let mut frame = Frame::new(&Settings::default(), &camera, 1.7e9, [64; 2]);
         frame.uniform.whitecaps = whitecaps;
+        // As high as a gale's: dense foam lies in its widest masses.
+        frame.uniform.wave_height = 6.0;
         // The lace alone is read of bind group 1, at its last binding.
         let surface = [Bind::Texture(wgpu::TextureViewDimension::D2); 12];
         let layouts = [kernel::frame_layout(&gpu), gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &surface)];
@@ -71,13 +94,34 @@ impl Lace {
         Self { gpu, groups, kernel, places: (0..POINTS).map(place).collect() }
     }
 
-    /// Means over all places of what is covered and of the opacity, and what the opacity is where pixels hide the lace, of foam that was
-    /// born when it covered everything.
-    fn of(&self, share: f32, footprint: f32) -> [f64; 3] {
+    fn found(&self, asked: impl Fn([f32; 2]) -> Asked) -> Vec<Found> {
+        let asked: Vec<_> = self.places.iter().map(|&at| asked(at)).collect();
+        let [found] = self.kernel.run::<_, Found>(&self.gpu, &self.groups.each_ref(), &asked);
+        found
+    }
+
+    /// What lies at all places, of foam that was born when it covered everything.
+    fn aged(&self, share: f32, footprint: f32) -> Vec<Found> {
         let young = share.powf((foam::LIFETIME_S / foam::YOUNG_S) as f32);
-        let asked: Vec<_> = self.places.iter().map(|&at| Asked { at, share, young, footprint, unused: 0.0 }).collect();
-        let [found] = self.kernel.run::<_, [f32; 4]>(&self.gpu, &self.groups.each_ref(), &asked);
-        [0, 1, 2].map(|part| found.iter().map(|found| f64::from(found[part])).sum::<f64>() / found.len() as f64)
+        self.found(|at| Asked { at, share, young, footprint, texels: 0.0, unused: [0.0; 2] })
+    }
+
+    /// Means over all places of what is covered and of the opacity, and what the opacity is where pixels hide the lace.
+    fn of(&self, share: f32, footprint: f32) -> [f64; 3] {
+        let found = self.aged(share, footprint);
+        [|f: &Found| f.covered, |f: &Found| f.white, |f: &Found| f.mean_white]
+            .map(|part| found.iter().map(|f| f64::from(part(f))).sum::<f64>() / found.len() as f64)
+    }
+
+    /// Correlations of the levels of all foam and of dense foam with those so many texels farther on.
+    fn correlations(&self, texels: f32) -> [f64; 2] {
+        let levels =
+            |texels| self.found(|at| Asked { at, share: 0.1, young: 0.1, footprint: 0.02, texels, unused: [0.0; 2] });
+        let (here, there) = (levels(0.0), levels(texels));
+        [|f: &Found| f64::from(f.foam), |f: &Found| f64::from(f.dense)].map(|level| {
+            let product = |a: &[Found], b: &[Found]| a.iter().zip(b).map(|(a, b)| level(a) * level(b)).sum::<f64>();
+            product(&here, &there) / (product(&here, &here) * product(&there, &there)).sqrt()
+        })
     }
 }
 
@@ -117,4 +161,44 @@ fn whitecaps_reflect_what_is_measured_over_their_lives() {
     println!("{mean:.3}");
     // P. Koepke 1984: 0.22 with 0.11 either way.
     assert!((0.11..0.33).contains(&mean), "{mean}");
+}
+
+/// Texels of the lace along a tile of its middle net: 31 m.
+const TILE: f32 = 512.0 / 4.123_105_6;
+
+#[test]
+fn the_lace_does_not_repeat_with_its_tile() {
+    let lace = Lace::new(BREEZE);
+    let found = [1.0, 2.0, 3.0].map(|tiles| lace.correlations(tiles * TILE));
+    println!("{found:.3?}");
+    for [foam, dense] in found {
+        // Where the nets lay still it would be the middle net's part of the variance: 0.42, and of dense foam 0.4 or more.
+        assert!(foam.abs() < 0.2 && dense.abs() < 0.2, "{foam} and {dense}");
+    }
+}
+
+#[test]
+fn dense_foam_lies_in_masses_wider_than_the_lace() {
+    let lace = Lace::new(BREEZE);
+    // Four texels are 1 m: as wide as the meshes of old foam.
+    let [foam, dense] = lace.correlations(4.0);
+    println!("{foam:.3} and {dense:.3}");
+    assert!(dense > foam + 0.07, "{dense} and {foam}");
+}
+
+#[test]
+fn creases_of_dense_foam_are_dark_but_take_no_light_from_the_whole() {
+    let lace = Lace::new(BREEZE);
+    for footprint in [0.01, 0.05, 0.25] {
+        let found = lace.found(|at| Asked { at, share: 0.7, young: 0.6, footprint, texels: 0.0, unused: [0.0; 2] });
+        let white: f64 = found.iter().map(|f| f64::from(f.white)).sum();
+        let mean = found.iter().map(|f| f64::from(f.white * f.open)).sum::<f64>() / white;
+        let spread = found.iter().map(|f| f64::from(f.white) * (f64::from(f.open) - mean).powi(2)).sum::<f64>() / white;
+        println!("{footprint} m: {mean:.3}, deviation {:.3}", spread.sqrt());
+        // Levels of the nets, each normal, are not quite so together.
+        assert!((mean - 1.0).abs() < 0.03, "{footprint} m: {mean}");
+        if footprint < 0.02 {
+            assert!(spread.sqrt() > 0.1, "flat: {}", spread.sqrt());
+        }
+    }
 }
