@@ -10,9 +10,9 @@
 // Where foam begins it is thin: with this opacity whitecaps reflect 0.22 where they cover little (P. Koepke 1984), thick ones FOAM_ALBEDO.
 const THIN_FOAM: f32 = 0.4;
 // of which so much comes about at the water's edge, and the rest by and by:
-const FRINGE: f32 = 0.45;
-const CORE_FROM: f32 = 0.5;
-const CORE_RAMP: f32 = 0.4;
+const FRINGE: f32 = 0.6;
+const CORE_FROM: f32 = 0.45;
+const CORE_RAMP: f32 = 0.3;
 // Levels are deviations of g above the threshold. Widths of the edge of the water, of the passage to thick foam, and where that begins:
 const EDGE_RAMP: f32 = 0.15;
 const THICK_FROM: f32 = 1.45;
@@ -47,7 +47,7 @@ const FILM_RAFT: f32 = 0.55;
 const RAFT_EDGE: f32 = 0.3;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film; in storms, which churn them, less.
 const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
-const CHURNED: f32 = 0.8;
+const CHURNED: f32 = 0.7;
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.25;
