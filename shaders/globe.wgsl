@@ -68,12 +68,13 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ocean = ocean_share(ground, ground_across);
     let depth = ocean_depth(ground, ground_across);
     let grazing = max(abs(dot(direction, up)), 0.002);
-    let lake = local_water(point, OF_LAKE);
-    let lake_foam = lake.height * share_from_afar(0.0, 1.0, ground_across);
-    var water = lake_water(rest, direction, up, up, local_slopes(lake), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
+    // The waves of what the pixel shows, the ocean or a lake; a coarse picture has no lees.
+    var sea = OPEN_SEA;
+    if FINE { sea = local_water(point, select(OF_LAKE, OF_OCEAN, ocean > 0.0)); }
+    let lake_foam = min(sea.height, 1.0) * share_from_afar(0.0, 1.0, ground_across);
+    var water = lake_water(rest, direction, up, up, local_slopes(sea), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
     var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
     if ocean > 0.0 {
-        let sea = local_sea(point);
         let calmed = held_share(depth, sea.height);
         let whitecaps = calmed * sea.height * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
         let foam = mean_foam(whitecaps, mean_dense_from(whitecaps, FINE), calmed, FINE);

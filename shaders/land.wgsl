@@ -59,7 +59,7 @@ fn vertex(in: Tile) -> Vertex {
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
     if RUGGED {
-        let held = max(spacing, CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
+        let held = max(spacing, select(2.0, 1.0, FINE) * CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
         c = country_at(point, sin_lat);
         made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
@@ -93,14 +93,16 @@ struct Place { distance: Metres, dn: vec3f, point: MapPoint, sin_lat: f32, groun
 fn place(distance: Metres, dn: vec3f, point: MapPoint) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
-    if !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
+    // Whoever has no shadows of clouds and measures nothing sees lakes by their triangles alone.
+    if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
     return Place(distance, dn, point, sin_lat, ground);
 }
 
 // A lake with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
 // its normal alone.
 fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
-    let sea = local_water(at.point, OF_LAKE);
+    var sea = OPEN_SEA;
+    if FINE { sea = local_water(at.point, OF_LAKE); }
     let share = min(sea.height, 1.0) * share_from_afar(0.0, 1.0, footprint);
     var normal = up;
     var rough = local_slopes(sea);

@@ -29,7 +29,8 @@ impl Renderer {
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
-        self.visible = (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding));
+        self.visible =
+            (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground()));
         let side = self.side(frame);
         // What is there stays; others wait for the picture's own tiles.
         let trains = (side.shows_surf && frame.is_fine(), self.complete);

@@ -95,7 +95,7 @@ pub enum Quality {
     /// Chosen by the program: [`Quality::High`] on a graphics card, [`Quality::Medium`] where the processor draws.
     #[default]
     Auto,
-    /// For weak devices: nothing glows or sparkles, no light comes through crests, waters do not bloom.
+    /// For weak devices: triangles are twice as wide, nothing glows or sparkles, no light comes through crests, waters do not bloom.
     Low,
     /// For phones and laptops.
     Medium,

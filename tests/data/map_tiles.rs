@@ -8,7 +8,7 @@ use ocean_globe::data::world::World;
 use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
 use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
-use ocean_globe::scene::view::map_tiles::{Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
+use ocean_globe::scene::view::map_tiles::{DrawnTile, Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 360];
@@ -44,7 +44,7 @@ fn places(id: TileId) -> impl Iterator<Item = (f64, f64)> {
 
 /// The tiles that a view draws.
 fn drawn_ids(camera: &Camera, streaming: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
-    drawn_tiles(camera, SIZE, streaming, hiding).into_iter().map(|tile| tile.id).collect()
+    drawn_tiles(camera, SIZE, streaming, hiding, 1.0).into_iter().map(|tile| tile.id).collect()
 }
 
 #[test]
@@ -53,7 +53,7 @@ fn relief_is_made_where_pixels_are_narrow_enough_for_it() {
     let mut tiles_of = |altitude_m: f64| {
         let camera = Camera::from_degrees(46.5, 9.0, altitude_m, 0.0, 0.0);
         load(&mut streaming, &mut world, &camera);
-        drawn_tiles(&camera, SIZE, &streaming, None)
+        drawn_tiles(&camera, SIZE, &streaming, None, 1.0)
     };
     // Over the Alps. Pixels of a picture of 360 rows that shows 45 degrees are 2.2 mm wide a metre of distance; those of 4,096 m and more show no relief.
     let mut rugged = |altitude_m: f64| {
@@ -63,6 +63,25 @@ fn relief_is_made_where_pixels_are_narrow_enough_for_it() {
     };
     let widest_m = WIDEST_M / (2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / f64::from(SIZE[1]));
     assert_eq!([0.1, 0.5, 0.9, 3.0].map(|part| part * widest_m).map(&mut rugged), [true, true, true, false]);
+}
+
+#[test]
+fn tiles_with_cells_twice_as_wide_are_those_above_the_usual_ones() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    // Over the Alps, and a coast.
+    for (lat, lon, altitude_m) in [(46.5, 9.0, 30_000.0), (28.8545, -13.792, 560.0)] {
+        let camera = Camera::from_degrees(lat, lon, altitude_m, 253.0, 71.0);
+        load(&mut streaming, &mut world, &camera);
+        let [usual, wide] = [1.0, 2.0].map(|wider| drawn_tiles(&camera, SIZE, &streaming, None, wider));
+        println!("{lat}, {lon}: {} tiles, {} with wide cells", usual.len(), wide.len());
+        // Nothing is left out, and what has relief keeps it.
+        assert!(3 * wide.len() < 2 * usual.len(), "{} of {}", wide.len(), usual.len());
+        for tile in &usual {
+            let holds = |other: &&DrawnTile| tile.id.ancestor(other.id.z) == Some(other.id);
+            let over = wide.iter().find(holds).unwrap_or_else(|| panic!("nothing over {}", tile.id));
+            assert!(over.is_rugged >= tile.is_rugged, "{} over {}", over.id, tile.id);
+        }
+    }
 }
 
 #[test]

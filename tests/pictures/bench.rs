@@ -101,6 +101,20 @@ fn a_frame_without_noise_neither_shows_nor_makes_it() {
 }
 
 #[test]
+fn the_low_quality_has_a_quarter_of_the_seas_triangles() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    let mut cost = |quality: &str| {
+        let link = format!("#view=28.8545,-13.792,560,253,71&clouds=0&time=2026-11-20T15:00:00Z&quality={quality}");
+        // A measured layer: it needs no foam.
+        draw(&mut renderer, &parse_state(&link).unwrap(), [640, 128], Output::Class).unwrap();
+        renderer.cost().unwrap()
+    };
+    let [low, usual] = ["low", "medium"].map(&mut cost);
+    assert_eq!(4 * low.triangles, usual.triangles);
+    assert!(low.land_triangles < usual.land_triangles, "{} of {}", low.land_triangles, usual.land_triangles);
+}
+
+#[test]
 fn the_extreme_quality_has_more_than_a_million_triangles_in_full_hd() {
     let [columns, rows] = grid_cells([1920, 1080], cell_pixels(Quality::Extreme, [1920, 1080]));
     assert!(2 * columns * rows > 1_000_000, "{columns} by {rows}");

@@ -96,9 +96,16 @@ const MOST_SMOOTH: u64 = 2560 * 1600;
 /// Cells along a side of the projected grid, at most: with two triangles each two million of them.
 const MOST_CELLS: u32 = 1024;
 
+/// Cells along the longer side of a picture, at least: the strip of them that stands on the horizon needs room at the picture's edges.
+const LEAST_CELLS: u32 = 80;
+
 /// Pixels along a cell of the projected grid of a picture of `size` pixels.
 pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
-    let wished = if quality == Quality::Extreme { 2 } else { 4 };
+    let wished = match quality {
+        Quality::Low => (size[0].max(size[1]) / LEAST_CELLS).clamp(4, 8),
+        Quality::Extreme => 2,
+        _ => 4,
+    };
     wished.max(size[0].max(size[1]).div_ceil(MOST_CELLS))
 }
 
@@ -162,6 +169,11 @@ impl Frame {
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
     pub fn is_fine(&self) -> bool {
         self.quality != Quality::Low
+    }
+
+    /// How much wider than usual the cells of the ground's mesh are.
+    pub fn wider_ground(&self) -> f64 {
+        if self.is_fine() { 1.0 } else { 2.0 }
     }
 
     /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the

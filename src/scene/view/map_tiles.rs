@@ -44,7 +44,8 @@ const ISLAND_BED_M: f64 = -500.0;
 const ISLAND_INLAND_M: f64 = 1_000.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
-/// Cells of tiles with relief are at most so many pixels wide; as in `shaders/lib/rugged.wgsl`.
+/// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
+/// picture; as in `shaders/lib/rugged.wgsl`.
 const CELL_PIXELS: f64 = 8.0;
 
 /// A tile of the ground to draw.
@@ -209,8 +210,14 @@ fn least_pixel_m(b: &Bounds, visibility: &Visibility) -> f64 {
 }
 
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
-/// the ground, and how the sea hides its bed, if it does.
-pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: Option<Hiding>) -> Vec<DrawnTile> {
+/// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual.
+pub fn drawn_tiles(
+    camera: &Camera,
+    size: [u32; 2],
+    tiles: &Streaming,
+    hiding: Option<Hiding>,
+    wider: f64,
+) -> Vec<DrawnTile> {
     let visibility = Visibility::new(camera, size);
     let is_rugged = |id| least_pixel_m(&bounds(id), &visibility) < WIDEST_M && rugged_m(id, tiles).is_some();
     let ids = refined(camera, size, |id, far_m, visibility, b| {
@@ -218,9 +225,9 @@ pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: O
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
         let usual = deepest_mesh(id.projection, tiles);
         // Where no cell is narrow enough for any of the relief the data alone shape the mesh.
-        let is_held = shows && CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
+        let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
         let Some(range_m) = rugged_m(id, tiles).filter(|range_m| is_held && *range_m >= RUGGED_M) else {
-            return Judged { shows, divisible: id.z < usual, finer: 1.0, ground_m: 0.0 };
+            return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
         let finer = if range_m > STEEP_M {
@@ -230,7 +237,7 @@ pub fn drawn_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming, hiding: O
         } else {
             0.5
         };
-        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer, ground_m }
+        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, ground_m }
     });
     ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
 }
