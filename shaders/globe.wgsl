@@ -62,11 +62,11 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, rest, up); }
     let ground_across = ground_footprint(across, direction, up);
-    let lit = lit_ground(point, sin_lat, up, ground, NO_RELIEF, ground_across, light, 0.0);
+    let lit = lit_ground(point, vec2f(0.0), sin_lat, up, direction, distance, ground, NO_RELIEF, ground_across, light, 0.0);
 
     // Water that is seen, and how much of the pixel it fills.
-    let ocean = ocean_share(ground, ground_across);
-    let depth = ocean_depth(ground, ground_across);
+    let ocean = ocean_share(ground, sinking(point, direction, up, LEAST_SINKING), across);
+    let depth = ocean_depth(ground, ground_across, ocean);
     let grazing = max(abs(dot(direction, up)), 0.002);
     // The waves of what the pixel shows, the ocean or a lake; a coarse picture has no lees.
     var sea = OPEN_SEA;

@@ -27,9 +27,13 @@ const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
 const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
+const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
+
+// What a place's fixed-point coordinate leaves out, of a unit.
+fn unit_part(tile: vec4u, in_tile: vec2f) -> vec2f { return fract(in_tile * f32(1u << (32u - max(tile.y, 1u)))); }
 
 // Fixed-point coordinate of a place in a tile; the last row of the square must not wrap round to its first.
 fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
@@ -88,14 +92,14 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
 // What a pixel shows of the ground, and where.
-struct Place { distance: Metres, dn: vec3f, point: MapPoint, sin_lat: f32, ground: Ground }
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground }
 
-fn place(distance: Metres, dn: vec3f, point: MapPoint) -> Place {
+fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
     // Whoever has no shadows of clouds and measures nothing sees lakes by their triangles alone.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
-    return Place(distance, dn, point, sin_lat, ground);
+    return Place(distance, dn, point, part, sin_lat, ground);
 }
 
 // A lake with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
@@ -123,8 +127,10 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let x = select(-at.ground.ocean_shore, -1.0, at.ground.is_ocean | at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
     let down = shore.zw / max(length(shore.zw), 1e-3);
     let line = beside(at.point, at.sin_lat, down * max(x, 0.0));
-    let place = beach_place(at.point);
-    let swash = swash_at(line, place, x, shore.x, footprint);
+    let place = pattern_place(at.point, at.part);
+    let across = at.distance * frame.pixel_angle;
+    let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));
+    let swash = swash_at(line, place, x, shore.x, footprint, width);
     let rest = surface_from_normal_delta(at.dn);
     // Foam goes with the water that carries it.
     let moved = rest + vec3f(down * swash.run, 0.0);
@@ -132,20 +138,18 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let normal = normalize(up - vec3f(0.012 * wrinkles, 0.0));
     let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(4.0 * foam_coordinates(moved), 4.0 * footprint, false), FINE);
     let sheen = saturate(swash.shines);
-    let rough = vec2f(mix(0.02, 0.0006, sheen));
-    // Heaps, footprints of wind, grains.
-    let grain = 0.3 * bed_noise(place, 4.0, 73u).z + 0.25 * shown(footprint, 0.5) * bed_noise(place, 0.5, 74u).z
-        + 0.35 * shown(footprint, 0.0625) * bed_noise(place, 0.0625, 75u).z;
-    let sand = dry * (1.0 + sandy * smoothstep(1.9 * shore.y, 1.5 * shore.y, x) * grain * (1.0 - 0.6 * swash.damp)) * mix(1.0, WET_SAND, sandy * swash.damp);
+    // Water that runs has ripples; what it leaves is a mirror.
+    let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
+    let sand = dry * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
-        Bed(dry * (1.0 + 0.4 * grain), 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
+        Bed(dry, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
     return mix(sand, film, sandy * max(sheen, swash.foam));
 }
 
 // Where a ray meets the ellipsoid.
 fn place_on_ellipsoid(direction: vec3f, distance: Metres) -> Place {
     let dn = normal_delta(direction * distance);
-    return place(distance, dn, map_point(dn));
+    return place(distance, dn, map_point(dn), vec2f(0.0));
 }
 
 @fragment
@@ -164,7 +168,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
     } else {
         let point = tile_point(in.tile, in.in_tile);
-        at = place(triangle_distance, normal_delta_at(point), point);
+        at = place(triangle_distance, normal_delta_at(point), point, unit_part(in.tile, in.in_tile));
         // Each place is drawn by one square alone.
         if square_of(at.sin_lat) != in.tile.x {
             discard;
@@ -183,7 +187,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = ground_footprint(distance * frame.pixel_angle, direction, up);
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
-    if ocean_share(ground, footprint) >= 1.0 && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+    if ocean_share(ground, sinking(at.point, direction, up, LEAST_SINKING), distance * frame.pixel_angle) >= 1.0 && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         // Coarse triangles slope down from a hill to the bed in front of the sea: what stands there is water.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
@@ -200,7 +204,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
         made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
-    let lit = lit_ground(at.point, at.sin_lat, up, ground, made, footprint, light, in.shore.y);
+    let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y);
     var radiance = lit.radiance;
     if ground.is_lake { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), lake_share(ground, footprint)); }
     if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore, lit.sandy, light, clear); }

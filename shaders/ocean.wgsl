@@ -112,13 +112,13 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let point = map_point(dn);
     let ground = ground_at(point, sin_lat, max(across, 1.0));
     // Pixels that the shore crosses show sea by its share of them.
-    let share = ocean_share(ground, footprint);
+    let share = ocean_share(ground, sinking(point, direction, up, LEAST_SINKING), across);
     if share <= 0.0 {
         discard;
         return vec4f(0.0);
     }
 
-    let depth = ocean_depth(ground, footprint);
+    let depth = ocean_depth(ground, footprint, share);
     let alpha = water_alpha(depth);
     var sea = local_sea(point);
     var waves = NO_SHORE_WAVES;

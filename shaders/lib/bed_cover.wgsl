@@ -33,6 +33,12 @@ fn bed_noise(place: vec2f, cell: f32, salt: u32) -> vec3f {
     return vec3f(slope / cell, value);
 }
 
+// A place's part of the square, on Mercator's map; `part`: what its coordinate leaves out, of a unit.
+fn pattern_place(point: MapPoint, part: vec2f) -> vec2f {
+    let away = (vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) + part) * (BED_TURN / 4294967296.0);
+    return frame.bed_origin + vec2f(away.x, -away.y);
+}
+
 fn shown(footprint: Metres, width: Metres) -> f32 { return 1.0 - smoothstep(0.2, 0.6, footprint / width); }
 
 const SEAGRASS = vec3f(0.035, 0.055, 0.022);
@@ -66,8 +72,7 @@ const SPARSE = 0.09;                 // how wide the edges are between which mea
 fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -> vec3f {
     // Beyond the polar circles nothing grows there.
     if point.square != MERCATOR || depth > BARE_FROM { return sand; }
-    let away = vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) * (BED_TURN / 4294967296.0);
-    let place = frame.bed_origin + vec2f(away.x, -away.y);
+    let place = pattern_place(point, vec2f(0.0));
     let seen = vec4f(shown(footprint, 256.0), shown(footprint, 128.0), shown(footprint, 64.0), shown(footprint, 32.0));
     let near = vec3f(shown(footprint, 16.0), shown(footprint, 4.0), shown(footprint, 1.0));
     let fine = vec3f(bed_noise(place, 16.0, 31u).z, bed_noise(place, 4.0, 32u).z, bed_noise(place, 1.0, 33u).z) * near;

@@ -8,11 +8,13 @@
 #import shore_pixels
 #import water
 
-const BEACH: Metres = 50.0;     // how wide beaches are
+const BEACH: Metres = 50.0;     // how wide beaches are as a rule
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
 
-const STANDING = 0.3;            // slope of a crown whose cap rises by its whole height a cell
+const STANDING = 0.8;            // share of a dome's slope that shades it: leaves are rough, and let light through
+const BENT = 0.8;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
+const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -20,28 +22,65 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
     return across / sqrt(max(abs(dot(direction, up)), 0.05));
 }
 
-fn east_at(up: vec3f) -> vec3f {
-    return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
-}
-
 // `sandy`: how much of a beach there may be, between cliffs and snow.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 
-// `washed`: how far waves run up the shore; nothing grows there.
-fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Made, footprint: Metres, light: Daylight, washed: Metres) -> LitGround {
+// How wide the beach is at a place: by a third to three times of that, over some 100 m to 2 km.
+fn beach_width(at: vec2u) -> Metres {
+    return BEACH * exp(3.0 * (map_noise_rise(at, 15u, 81u).x + map_noise_rise(at, 17u, 82u).x));
+}
+
+// How far a beach is overgrown at a distance from the ocean, of its width: never along a line, but in patches of all sizes.
+fn overgrown(inland: f32, tone: f32, footprint: Metres) -> f32 {
+    // Each octave that does not show of a tone widens the edge.
+    let hidden = sqrt(clamp(0.5 * log2(footprint / 0.15), 0.0, 8.0));
+    let edge = FRAYED * (0.12 + 0.25 * hidden);
+    return smoothstep(-edge, edge, inland - 1.0 + FRAYED * tone);
+}
+
+// Of what is small on the ground: its tone, whose mean is none, and its slope east and north.
+struct Grain { tone: f32, slope: vec2f }
+
+// Heaps, hollows that feet and wind have left, and grains, from 4 m down to 1.6 cm. The loop ends at its foot.
+fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
+    let place = pattern_place(point, part);
+    var found = Grain(0.0, vec2f(0.0));
+    var cell = 4.0;
+    var salt = 73u;
+    loop {
+        let noise = shown(footprint, cell) * bed_noise(place, cell, salt);
+        found.tone += 0.28 * noise.z;
+        found.slope += 0.08 * cell * noise.xy;
+        cell *= 0.25;
+        salt++;
+        if cell < 0.015 || footprint > 0.6 * cell { break; }
+    }
+    // The pattern is Mercator's.
+    let on_map = select(0.0, 1.0, point.square == MERCATOR);
+    return Grain(on_map * found.tone, on_map * found.slope);
+}
+
+// `part`: what the point leaves out of a place, of a unit; `direction`: of the sight, which is `distance` long; `washed`: how far waves run up the
+// shore; nothing grows there.
+fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: vec3f, distance: Metres, ground: Ground, made: Made, footprint: Metres,
+    light: Daylight, washed: Metres) -> LitGround {
     let east = east_at(up);
     let north = cross(up, east);
     let terrain = terrain_slope(point, sin_lat, footprint);
     let slope = slope_shown(ground) * terrain + made.slope;
     let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
-    let is_bed = ocean_share(ground, footprint) >= 1.0;
+    let sight = sinking(point, direction, up, LEAST_SINKING);
+    let is_bed = ocean_share(ground, sight, distance * frame.pixel_angle) >= 1.0;
     var albedo: vec3f;
     var shaded = normal;
     var sand = SAND;
-    var beach = BEACH;
-    var uneven = 1.0;
+    var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / BEACH);
     var sandy = smoothstep(0.15, 0.09, length(terrain));
+    var rises = vec2f(0.0);
+    var standing = NOTHING_STANDS;
+    var grain = Grain(0.0, vec2f(0.0));
+    if FINE && SHOWS_COVER { grain = grain_at(point, part, footprint); }
     if IMAGERY {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
@@ -50,19 +89,23 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
         if FINE {
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);
-            let standing = plants(point.at, green, detail.tone, footprint);
-            albedo = detailed_albedo(albedo, green, detail, standing.height);
+            let sunlight = sinking(point, -frame.light, up, 0.4);
+            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
+            grown = overgrown(inland, detail.tone + 1.5 * grain.tone, footprint);
+            // Much grows where it is dark.
+            let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
+            let above = max(-dot(direction, up), LEAST_SINKING) * distance;
+            standing = plants(bent, green, -detail.coarse, 0.5 * (inland + FRAYED * detail.coarse), sight, sunlight, above, footprint);
+            albedo = detailed_albedo(albedo, green, detail, standing.tone);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
             let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
-            let crowns = select(STANDING * green, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
-            shaded = normalize(normal - (hills.x + crowns.x) * east - (hills.y + crowns.y) * north);
+            rises = select(STANDING, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
+            shaded = normalize(normal - hills.x * east - hills.y * north);
             // Rock stands out where it is steep, more of it on this slope than on that.
             let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) + 0.1 * detail.tone);
             albedo = mix(albedo, ROCK, 0.7 * steep);
-            // Beaches come and go along a shore.
-            uneven = 1.0 + 0.5 * detail.tone;
-            beach = max(beach * smoothstep(-0.3, 0.5, detail.coarse + 0.3 * detail.tone), 1.0);
+            grown = max(grown, 0.85 * standing.cover);
         }
     } else {
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
@@ -71,15 +114,17 @@ fn lit_ground(point: MapPoint, sin_lat: f32, up: vec3f, ground: Ground, made: Ma
         albedo = bed_colour(-ground.elevation);
         if FINE && SHOWS_COVER { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
     }
-    let bare = select(sandy * smoothstep(-1.9 * washed - 0.1, -1.6 * washed, uneven * ground.ocean_shore), 0.0, is_bed | (washed <= 0.0));
-    let strewn = smoothstep(-1.2 * beach, -0.2 * beach, ground.ocean_shore) * smoothstep(8.0, 1.0, ground.elevation)
-        * select(saturate(beach / footprint), 0.0, is_bed);
-    albedo = mix(albedo, sand, max(strewn, bare));
-    shaded = normalize(mix(shaded, normal, bare));
-    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up));
+    let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
+    albedo = mix(albedo, sand, bare);
+    if FINE && SHOWS_COVER && !is_bed {
+        albedo *= 1.0 + mix(1.5, 1.0, bare) * grain.tone;
+        rises = mix(rises, grain.slope, bare);
+    }
+    shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
+    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.75 * standing.shade);
     // Valleys see less of the sky.
-    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0));
-    return LitGround(normal, albedo, albedo / PI * (sun + ambient), sandy);
+    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.4 * standing.shade);
+    return LitGround(normal, albedo, albedo / PI * (sun + ambient), sandy * (1.0 - grown));
 }
 
 const LAKE_KIND = 2.5;             // of the water of lakes

@@ -47,9 +47,9 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
 }
 
-// What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of the coarse half, and
-// the rise of small hills right and down on the map, as slopes of about one.
-struct Detail { tone: f32, coarse: f32, rise: vec2f }
+// What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,
+// the rise of small hills right and down on the map, as slopes of about one, and how far the octave of 76 m has bent the place, in units of the map.
+struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f }
 
 const VALLEY_MEAN: f32 = 0.1408;   // of the size of `map_noise_rise`, over the plane
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
@@ -58,7 +58,7 @@ const WARP: f32 = 0.08;            // how far an octave moves the next one, of i
 // the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
-    var detail = Detail(0.0, 0.0, vec2f(0.0));
+    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var level = 13u;
     var place = at;
     loop {
@@ -67,10 +67,12 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         let is_hill = level < 20u;
         let height = shown * select(noise.x, 0.9 * (abs(noise.x) - VALLEY_MEAN), is_hill);
         detail.tone += height;
-        detail.coarse += select(0.0, height, is_hill);
+        detail.coarse += select(0.0, height, level < 22u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
-        place = at + bitcast<vec2u>(vec2i(WARP * noise.yz * f32(1u << (32u - level))));
+        let bends = WARP * noise.yz * f32(1u << (32u - level));
+        place = at + bitcast<vec2u>(vec2i(bends));
+        detail.bent = select(detail.bent, bends, level == 19u);
         level += 2u;
         if level > 27u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
@@ -80,16 +82,18 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
 // How far the ground is green.
 fn greenness(albedo: vec3f) -> f32 { return saturate(3.0 * (albedo.g - 0.5 * (albedo.r + albedo.b)) / albedo.g); }
 
-const CANOPY = 0.6;                // how much brighter than the mean a crown's top is, a cap's height
-const SHRUB = vec3f(-0.95, -0.82, -0.78);
+// Of domes' tones, of what they change of the albedo where it is bare, and where it is green.
+const SHRUB = vec3f(0.75, 0.6, 0.55);
+const CANOPY = vec3f(0.9, 0.75, 0.75);
 
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, and what stands on it.
 fn detailed_albedo(albedo: vec3f, green: f32, detail: Detail, standing: f32) -> vec3f {
     let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
     let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.90, 1.0), green) * (1.0 - 0.85 * whiteness);
-    // Odd in the tone, so that the mean stays none.
-    let tone = detail.tone / sqrt(1.0 + 0.8 * detail.tone * detail.tone);
+    // Groves and clearings differ more than the ground in them does. Odd in the tone, so that the mean stays none.
+    let of_all = detail.tone + 0.35 * detail.coarse;
+    let tone = of_all / sqrt(1.0 + 0.8 * of_all * of_all);
     let patches = 2.2 * whiteness * (1.0 - whiteness) * tone;
-    let stands = standing * (1.0 - whiteness) * mix(SHRUB, vec3f(CANOPY), green);
-    return max(albedo * (1.0 + tones * tone + stands) + patches, vec3f(0.01));
+    let stands = standing * (1.0 - whiteness) * mix(SHRUB, CANOPY, green);
+    return max(albedo * max((1.0 + tones * tone) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
 }

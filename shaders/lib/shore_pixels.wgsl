@@ -1,11 +1,28 @@
 // Pixels that the shore crosses. Who imports this declares MEASURED (src/pass/kind.rs).
-#import world
+#import ground_slope
 
-// How much of a pixel is ocean, where the shore crosses it; a measured layer says what its middle is.
-fn ocean_share(ground: Ground, footprint: Metres) -> f32 {
+fn east_at(up: vec3f) -> vec3f {
+    return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
+}
+
+const LEAST_SINKING = 0.02;       // of a sight over the ground: none is seen flatter
+
+// How far a sight moves right and down on the map while it sinks by one, `least` of its length or more.
+fn sinking(point: MapPoint, direction: vec3f, up: vec3f, least: f32) -> vec2f {
+    let east = east_at(up);
+    let north = cross(up, east);
+    let level = vec2f(dot(direction, east), dot(direction, north));
+    let along = vec2f(dot(level, east_north_of(point, vec2f(1.0, 0.0))), dot(level, east_north_of(point, vec2f(0.0, -1.0))));
+    return along / max(-dot(direction, up), least);
+}
+
+// How much of a pixel is ocean, where the shore crosses it; a measured layer says what its middle is. A pixel that is `across` wide is longer
+// along its sight: its width is that towards the shore.
+fn ocean_share(ground: Ground, sight: vec2f, across: Metres) -> f32 {
     if MEASURED { return select(0.0, 1.0, ground.is_ocean); }
-    return saturate(0.5 + ground.ocean_shore / footprint);
+    let width = across * length(vec2f(max(length(ground.shore_rise), 0.5), dot(ground.shore_rise, sight)));
+    return saturate(0.5 + ground.ocean_shore / width);
 }
 
 // Depth of the ocean in a pixel, which its middle may miss: there as at a gentle shore.
-fn ocean_depth(ground: Ground, footprint: Metres) -> Metres { return max(-ground.elevation, 0.01 * footprint * ocean_share(ground, footprint)); }
+fn ocean_depth(ground: Ground, footprint: Metres, share: f32) -> Metres { return max(-ground.elevation, 0.01 * footprint * share); }

@@ -130,21 +130,15 @@ fn last_crests(trains: ptr<function, Arriving>, mean: f32, nothing: bool) -> Cre
 }
 
 // What swash makes of a place on a beach: how deep its water is, how far a pixel is under it, share of that under foam, how much of the sand
-// shines, and is dark, and how far the water has run since it came.
-struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, run: Metres }
+// shines, and is dark, and lies under what the last flood has left, and how far the water has run since it came.
+struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, wrack: f32, run: Metres }
 
 const SWASH_WIDEST: Metres = 60.0;         // no sheet comes so far; ours
 const LULL = vec2f(0.02, 0.06);      // run-up of the fiftieth, m, below which there is none, and from which it is whole
 
-// A place's part of the square of the bed's pattern.
-fn beach_place(point: MapPoint) -> vec2f {
-    let away = vec2f(bitcast<vec2i>(point.at - frame.mercator_fixed)) * (BED_TURN / 4294967296.0);
-    return frame.bed_origin + vec2f(away.x, -away.y);
-}
-
 // `line`: the place on the waterline below the place, which is `x` m up the beach; `height`: of the waves that come in; `sees`: what is no
-// wider does not show.
-fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metres) -> Swash {
+// wider does not show; `width`: how wide a pixel is up the beach.
+fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metres, width: Metres) -> Swash {
     let has_trains = bitcast<vec2f>(shore_words[0]).y > 1.0;
     let omega = mean_omega();
     let beta = foreshore();
@@ -158,12 +152,12 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
     let near = select(0.0, min(found, 1.0), has_trains) * (1.0 - smoothstep(0.25, 0.7, sees / max(farthest, 0.1)));
 
     // Tongues: along the shore waves run up differently far, other ones with each wave.
-    let line_place = beach_place(line);
+    let line_place = pattern_place(line, vec2f(0.0));
     let now = f32(frame.clock) / 1048576.0;
-    let blur = max(sees, 0.02);
+    let blur = max(0.7 * width, 0.02);
     let ragged = x + 0.9 * shown(sees, 2.0) * bed_noise(place, 2.0, 62u).z + 0.35 * shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z;
     let crests = last_crests(&trains, omega, nothing);
-    var sheet = Swash(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    var sheet = Swash(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     var k = 0u;
     loop {
         let age = crests.ages[k];
@@ -182,8 +176,9 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
         let ebbs = smoothstep(0.35, 0.75, t / flight);
         // The front carries a roll of foam up and leaves shreds behind; where it turns it leaves a line.
         let roll = 0.95 * exp(-max(behind, 0.0) / (0.45 + 0.05 * reach)) * (1.0 - 0.75 * ebbs);
-        let shreds = 0.32 * exp(-max(behind, 0.0) / (0.35 * reach)) * exp(-max(t, 0.0) / (0.6 * flight));
-        let foam = covered * max(roll, shreds);
+        let shreds = 0.26 * exp(-max(behind, 0.0) / (0.35 * reach)) * exp(-max(t, 0.0) / (0.6 * flight));
+        // In the water that they came from it is the sea's.
+        let foam = covered * max(roll, shreds) * smoothstep(-1.0, 2.5, ragged);
         let left = left_for(s, ragged, t);
         let line_left = 0.3 * exp(-abs(ragged - 0.97 * reach) / (0.12 + blur)) * exp(-max(t - 0.5 * flight, 0.0) / 4.0)
             * step_up(t - 0.5 * flight);
@@ -191,19 +186,24 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
         sheet.run = select(sheet.run, front_of(s, t), (behind > 0.0) & (covered > sheet.covered));
         sheet.covered = max(sheet.covered, covered);
         sheet.foam = max(sheet.foam, max(foam, lasts * line_left));
-        sheet.shines = max(sheet.shines, max(covered, select(0.0, lasts * exp(-left / SWASH_SHINES), left > 0.0)));
+        sheet.shines = max(sheet.shines, max(covered, select(0.0, lasts * exp(-left / SWASH_SHINES), left > 0.0) * smoothstep(-blur, blur, reach - ragged)));
         k++;
         if (k == SWASH_CRESTS) | nothing { break; }
     }
     // Sand that waves have reached within the last minutes is dark.
     let uneven = 1.0 + 0.5 * shown(sees, 16.0) * bed_noise(place, 16.0, 67u).z + 0.12 * shown(sees, 2.0) * bed_noise(place, 2.0, 68u).z;
     let band = x / max(farthest * uneven, 1e-3);
-    let damp = 1.0 - smoothstep(0.8 - 0.5 * blur / max(farthest, 0.1), 1.1 + 0.5 * blur / max(farthest, 0.1), band);
+    let wider = 0.5 * blur / max(farthest, 0.1);
+    let damp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z);
+    // Weed and shells lie where the highest waves have turned, in heaps and with gaps.
+    let heaped = bed_noise(place, 8.0, 69u).z * shown(sees, 8.0) + bed_noise(place, 0.5, 70u).z * shown(sees, 0.5) + 0.7 * bed_noise(place, 0.125, 71u).z * shown(sees, 0.125);
+    let from_line = (band - 1.25) * farthest / (0.5 + width);
+    let wrack = exp(-from_line * from_line) * smoothstep(0.0, 0.35, heaped) / (1.0 + width);
     // Where single waves do not show: what they are in the mean.
     let less = saturate(1.0 - band);
-    let mean = Swash(0.02 * less, less * less, 0.25 * less * less, less, damp, 0.0);
+    let mean = Swash(0.02 * less, less * less, 0.25 * less * less, less, damp, wrack, 0.0);
     return Swash(is_on * mix(mean.film, sheet.film, near), is_on * mix(mean.covered, sheet.covered, near), is_on * mix(mean.foam, sheet.foam, near),
-        is_on * mix(mean.shines, sheet.shines, near), is_on * max(damp, near * sheet.shines), near * sheet.run);
+        is_on * mix(mean.shines, sheet.shines, near), is_on * max(damp, near * sheet.shines), is_on * wrack, near * sheet.run);
 }
 
 fn step_up(x: f32) -> f32 { return smoothstep(0.0, 0.6, x); }

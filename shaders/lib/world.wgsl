@@ -72,8 +72,11 @@ fn texel(water: bool, square: u32, level: u32, index: vec2u, tile: vec2u, page: 
     return page_texel(water, own, at) * select(1.0, exp2(f32(level) - f32(own.level)), water);
 }
 
-// Bilinear, across tile borders too, at the level of the page that serves for the point.
-fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
+// Four texels around a place, and where between them it is.
+struct TexelsAround { a: vec3f, b: vec3f, c: vec3f, d: vec3f, f: vec2f }
+
+// Across tile borders too, at the level of the page that serves for the point.
+fn texels_around(water: bool, point: MapPoint, page: Page) -> TexelsAround {
     let level = page.level;
     let shift = 24u - level;
     let shifted = point.at - vec2u(1u << (shift - 1u));
@@ -82,10 +85,13 @@ fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f {
     let mask = vec2u((TILE_TEXELS << level) - 1u);
     let a = (shifted >> vec2u(shift)) & mask;
     let b = (a + vec2u(1u)) & mask;
-    let top = mix(texel(water, point.square, level, a, tile, page), texel(water, point.square, level, vec2u(b.x, a.y), tile, page), f.x);
-    let bottom = mix(texel(water, point.square, level, vec2u(a.x, b.y), tile, page), texel(water, point.square, level, b, tile, page), f.x);
-    return mix(top, bottom, f.y);
+    return TexelsAround(texel(water, point.square, level, a, tile, page), texel(water, point.square, level, vec2u(b.x, a.y), tile, page),
+        texel(water, point.square, level, vec2u(a.x, b.y), tile, page), texel(water, point.square, level, b, tile, page), f);
 }
+
+fn amid(c: TexelsAround) -> vec3f { return mix(mix(c.a, c.b, c.f.x), mix(c.c, c.d, c.f.x), c.f.y); }
+
+fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f { return amid(texels_around(water, point, page)); }
 
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
 // a sea whose surface is at a distance, and what is not is its bed.
@@ -95,6 +101,7 @@ struct Ground {
     elevation: Metres,      // of the dry or submarine ground, shaped to agree with the shore
     ocean_shore: Metres,    // signed distance, positive in the ocean
     lake_shore: Metres,     // signed distance, positive in lakes
+    shore_rise: vec2f,      // how the distance to the ocean's grows right and down on the map
     is_ocean: bool,
     is_lake: bool,
 }
@@ -135,11 +142,13 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
     let found = pages_at(point, level_for(point, footprint, cos_lat));
     let terrain = bilinear(false, point, found.terrain);
-    var shores = bilinear(true, point, found.water).xy * texel_metres(point, f32(found.water.level), sin_lat);
+    let water = texels_around(true, point, found.water);
+    let shore_rise = vec2f(mix(water.b.x - water.a.x, water.d.x - water.c.x, water.f.y), mix(water.c.x - water.a.x, water.d.x - water.b.x, water.f.x));
+    var shores = amid(water).xy * texel_metres(point, f32(found.water.level), sin_lat);
     // Without any water tile the sign of the elevation tells sea from land.
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y,
+    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y, shore_rise,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0);
 }

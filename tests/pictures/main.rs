@@ -1,6 +1,7 @@
 //! Whole pictures, the commands that make them, and the window.
 
 mod any_view;
+mod beach;
 mod bench;
 mod clouds;
 mod edges;
