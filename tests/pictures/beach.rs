@@ -32,7 +32,7 @@ fn beaches_differ_in_width_and_are_overgrown_in_patches() {
     let [narrow, wide] = [1, 9].map(|tenths| widths[tenths * widths.len() / 10]);
     let each = changes as f64 / widths.len() as f64;
     println!("{} rows: {narrow} to {wide} pixels of sand, {each:.1} changes in each", widths.len());
-    // A line would be one change in each row.
+    // A line is one change in each row, shreds and islands of what grows are two more each.
     assert!(widths.len() > 300 && wide > 2 * narrow.max(5), "{narrow} to {wide}");
-    assert!(each > 3.0, "{each}");
+    assert!(each > 1.5, "{each}");
 }
