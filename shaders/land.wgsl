@@ -45,6 +45,12 @@ fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
     return MapPoint(tile.x, vec2u(at.x, select(at.y, 0xffffffffu, at.y < base.y)));
 }
 
+// Elevation of the ground in a lake with a level or beside it. Rivers share that where they run into it.
+fn beside_lake(ground: Ground, point: MapPoint) -> Metres {
+    let lake = lake_at(point);
+    return with_lake(ground.elevation, ground.lake_shore, vec2f(lake.x, select(lake.y, min(lake.y, RIVER_MARGIN), ground.by_river)));
+}
+
 @vertex
 fn vertex(in: Tile) -> Vertex {
     let tile = vec4u(in.square_level, in.tile);
@@ -58,7 +64,7 @@ fn vertex(in: Tile) -> Vertex {
     let spacing = texel_metres(point, f32(tile.y), raw_sin_lat) * f32(TILE_TEXELS) / GRID;
     let rest = surface_from_normal_delta(dn);
     var ground = ground_at(point, sin_lat, spacing);
-    if !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
+    if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
@@ -98,15 +104,16 @@ fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
     // Whoever has no shadows of clouds and measures nothing sees lakes by their triangles alone.
-    if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = with_lake(ground.elevation, ground.lake_shore, lake_at(point)); }
+    if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     return Place(distance, dn, point, part, sin_lat, ground);
 }
 
-// A lake with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
+// A lake or a river with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
 // its normal alone.
 fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
     var sea = OPEN_SEA;
     if FINE { sea = local_water(at.point, OF_LAKE); }
+    sea = on_river(sea, at.ground);
     let share = min(sea.height, 1.0) * share_from_afar(0.0, 1.0, footprint);
     var normal = up;
     var rough = local_slopes(sea);
@@ -119,7 +126,7 @@ fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> Wa
         rough = seen.rough;
         foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint, false), FINE);
     }
-    return lake_water(direction * at.distance, direction, up, normal, rough, foam);
+    return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
 }
 
 // A beach that waves run up: `dry` is its radiance without them.
@@ -206,7 +213,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y);
     var radiance = lit.radiance;
-    if ground.is_lake { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), lake_share(ground, footprint)); }
+    let inland = inland_share(ground, footprint);
+    if inland > 0.0 { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), inland); }
     if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);

@@ -7,7 +7,7 @@ const DEPTH = 2u;       // metres of water; 0 on land, NaN-free: -1 in the sky
 const MASK = 3u;        // alpha of the water; 0 on land, -1 in the sky
 const HEIGHT = 4u;      // metres of the sea surface (or of the ground) above the ellipsoid
 const NORMAL = 5u;      // unit normal, east north up at the eye
-const CLASS = 6u;       // 1 ocean, 2 lake, 0 land, -1 sky
+const CLASS = 6u;       // 1 ocean, 2 lake, 3 river, 0 land, -1 sky
 const PERLIN_WEIGHT = 7u;
 const ALBEDO = 8u;      // linear, of the ground; 0 where the sea covers it
 

@@ -26,3 +26,13 @@ fn ocean_share(ground: Ground, sight: vec2f, across: Metres) -> f32 {
 
 // Depth of the ocean in a pixel, which its middle may miss: there as at a gentle shore.
 fn ocean_depth(ground: Ground, footprint: Metres, share: f32) -> Metres { return max(-ground.elevation, 0.01 * footprint * share); }
+
+// How much of a pixel is a lake or a river. Texels are half as wide as a pixel to as wide (`level_for`), so that of a river the share of a texel
+// serves: it is what tells of rivers narrower than that (`signed` of src/data/coast/river.rs). Of ground that is seen aslant, whose pixels are
+// longer, narrow waters cover less.
+fn inland_share(ground: Ground, footprint: Metres) -> f32 {
+    if MEASURED { return select(0.0, 1.0, ground.is_lake); }
+    let share = saturate(0.5 + ground.lake_shore / select(footprint, min(ground.texel, footprint), ground.by_river));
+    let aslant = 1.0 - pow(max(1.0 - share, 1e-6), min(2.0 * ground.texel / footprint, 1.0));
+    return select(select(share, aslant, ground.by_river & (share < 1.0)), 0.0, ground.is_ocean);
+}

@@ -50,12 +50,13 @@ fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
     return min(level, widest);
 }
 
-// Metres of elevation, or signed distances to the ocean's and the lakes' shores in texels of the page's own level.
+// Metres of elevation, or signed distances to the ocean's and inland waters' shores in texels of the page's own level and, third, whether the
+// nearest inland water is a river.
 fn page_texel(water: bool, page: Page, at: vec2u) -> vec3f {
-    // Distances are stored in 32nds of a texel, as `packed` in src/data/water.rs says.
+    // Distances are stored in 32nds of a texel, as `packed` in src/data/water.rs says; the lowest bit of blue is a river's mark.
     if water {
         let bytes = round(textureLoad(water_tiles, at, page.layer, 0) * 255.0);
-        return vec3f(bytes.x * 256.0 + bytes.w - 32768.0, bytes.y * 64.0 + floor(bytes.z / 4.0) - 8192.0, 0.0) / 32.0;
+        return vec3f(bytes.x * 256.0 + bytes.w - 32768.0, bytes.y * 64.0 + floor(bytes.z / 4.0) - 8192.0, 32.0 * (bytes.z - 2.0 * floor(bytes.z / 2.0))) / 32.0;
     }
     return textureLoad(terrain_tiles, at, page.layer, 0).xyz;
 }
@@ -100,10 +101,12 @@ fn nearest_bed(surface: Metres) -> Metres { return 0.996 * surface - 2.0; }
 struct Ground {
     elevation: Metres,      // of the dry or submarine ground, shaped to agree with the shore
     ocean_shore: Metres,    // signed distance, positive in the ocean
-    lake_shore: Metres,     // signed distance, positive in lakes
+    lake_shore: Metres,     // signed distance, positive in lakes and rivers
     shore_rise: vec2f,      // how the distance to the ocean's grows right and down on the map
+    texel: Metres,          // of the tile that tells these
     is_ocean: bool,
-    is_lake: bool,
+    is_lake: bool,          // or a river
+    by_river: bool,         // whether the nearest inland water is one
 }
 
 // Agrees with `shaped_on` in src/model/sea_bed.rs: a coarse elevation made to agree with a sharp coast.
@@ -144,11 +147,13 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let terrain = bilinear(false, point, found.terrain);
     let water = texels_around(true, point, found.water);
     let shore_rise = vec2f(mix(water.b.x - water.a.x, water.d.x - water.c.x, water.f.y), mix(water.c.x - water.a.x, water.d.x - water.b.x, water.f.x));
-    var shores = amid(water).xy * texel_metres(point, f32(found.water.level), sin_lat);
+    let texel = texel_metres(point, f32(found.water.level), sin_lat);
+    let told = amid(water);
+    var shores = told.xy * texel;
     // Without any water tile the sign of the elevation tells sea from land.
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y, shore_rise,
-        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0);
+    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y, shore_rise, texel,
+        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, told.z > 0.5);
 }

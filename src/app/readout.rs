@@ -86,6 +86,7 @@ fn described(place: Geodetic, sample: Option<Sample>) -> String {
         (WaterClass::Ocean, Some(depth_m)) => format!("ocean, {depth_m:.0} m deep"),
         (WaterClass::Ocean, None) => "ocean".to_owned(),
         (WaterClass::Lake, _) => format!("lake, {:.0} m", sample.elevation_m),
+        (WaterClass::River, _) => format!("river, {:.0} m", sample.elevation_m),
         (WaterClass::Island, _) => format!("island in a lake, {:.0} m", sample.elevation_m),
         (WaterClass::Land, _) => format!("land, {:.0} m", sample.elevation_m),
     };

@@ -5,6 +5,7 @@
 //! gives the same bytes. Memory: the elevation grid twice as 32-bit metres, the mask reduced four times per axis, and
 //! the rows of the mask that one row of tiles needs; about 500 MB for 5' of elevation and 0.005° of mask.
 
+mod clip;
 mod coast;
 mod distance;
 mod elevation;
@@ -16,6 +17,7 @@ mod own;
 mod picture;
 mod polygons;
 mod reference;
+mod rivers;
 mod shorelines;
 mod simplify;
 mod terrain;
@@ -47,7 +49,7 @@ fn elevation_m(text: &str) -> std::result::Result<f32, String> {
 #[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Examples:
   ocean-globe bake --elevation etopo5.cdf --mask south.nc --mask north.nc -o www/data
-  ocean-globe bake --coast gshhs_f.dat --ponds ponds.txt -o www/data     makes the coast anew
+  ocean-globe bake --coast gshhs_f.dat --ponds ponds.txt --rivers rivers.txt -o www/data     makes the coast anew
   ocean-globe bake --imagery world.jpg -o www/data        adds imagery to a world that is there
   ocean-globe bake --bed bay.tif --coast bay.geojson -o bay     a world of one's own: `render --data bay`
   ocean-globe bake --coast islands.shp -o www/data        gives a world that is there another coast
@@ -84,6 +86,9 @@ pub struct BakeArgs {
     /// Ponds on islands in lakes, which these polygons lack: what `gmt pscoast -Df -W4 -M` prints
     #[arg(long, value_name = "FILE", requires = "coast")]
     pub ponds: Option<PathBuf>,
+    /// Rivers to lay through the land of the polygons: what `gmt pscoast -R-180/180/-90/90 -Df -I1/0.1p -I2/0.1p -M` prints; of other ranks none is taken
+    #[arg(long, value_name = "FILE", requires = "coast")]
+    pub rivers: Option<PathBuf>,
     /// Deepest level of the polygons' tiles
     #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(0..=12))]
     pub coast_zoom: u8,
@@ -214,6 +219,7 @@ fn bake_coast(args: &BakeArgs, polygons: &Path) -> Result<()> {
     } else {
         shorelines::read(polygons, args.ponds.as_deref())?
     };
+    let rivers = args.rivers.as_ref().map_or(Ok(Vec::new()), |listing| rivers::read(listing))?;
     let detail = coast::Detail { max_zoom: args.coast_zoom, tolerance_m: args.coast_tolerance_m };
     let about = About {
         layer: Layer::Water,
@@ -222,7 +228,7 @@ fn bake_coast(args: &BakeArgs, polygons: &Path) -> Result<()> {
         credit: &args.coast_credit,
         resolution_m: args.coast_tolerance_m,
     };
-    archive(&args.output, &about, |writer, progress| coast::add_tiles(writer, shores, &detail, progress))
+    archive(&args.output, &about, |writer, progress| coast::add_tiles(writer, (shores, rivers), &detail, progress))
 }
 
 /// The imagery, of the land that the water archives in the output folder have.

@@ -30,7 +30,7 @@ enum Command {
     Serve(serve::ServeArgs),
     Run(run::RunArgs),
     Bench(bench::BenchArgs),
-    Bake(bake::BakeArgs),
+    Bake(Box<bake::BakeArgs>),
 }
 
 fn run(command: &Command) -> Result<()> {

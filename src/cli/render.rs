@@ -35,7 +35,7 @@ pub enum LayerName {
     Luminance,
     /// Radiance, linear sRGB, before it is exposed: per steradian, in units of the sun's irradiance beyond the air.
     Radiance,
-    /// 0 land, 1 ocean, 2 lake; NaN in the sky.
+    /// 0 land, 1 ocean, 2 lake, 3 river; NaN in the sky.
     Class,
     /// Weight of the far (Perlin) field; NaN in the sky.
     PerlinWeight,

@@ -2,7 +2,7 @@
 //!
 //! A Mapbox Vector Tile (<https://github.com/mapbox/vector-tile-spec/tree/master/2.1>) with the layers of [`Level`], each one feature of
 //! polygons, clipped to the tile and [`BUFFER_TEXELS`] beyond it. Sides that the clipping made lie on that border, and those that a map cut
-//! along the antimeridian: neither are shores.
+//! along the antimeridian: neither are shores. Rivers are lines, clipped alike, in the layers of [`Stream`]: they have no width but their kind's.
 //!
 //! Own code, since of protobuf it needs three hundred lines: the crates that read such tiles bring a protobuf library, whose memory for a
 //! hostile tile is not bounded by us, and geometry types besides.
@@ -10,6 +10,8 @@
 mod bends;
 mod curve;
 pub mod field;
+mod read;
+mod river;
 mod sweep;
 mod wire;
 #[cfg(not(target_arch = "wasm32"))]
@@ -17,7 +19,6 @@ pub mod write;
 
 use super::tile::TileId;
 use crate::error::{Error, Result};
-use wire::{Reader, Value};
 
 /// PMTiles' number for this kind of tile.
 pub const TILE_TYPE: u8 = 1;
@@ -27,6 +28,8 @@ pub const BUFFER_TEXELS: i32 = 10;
 const MAX_EXTENT: u32 = 1 << 16;
 /// Points of a tile, at most: each costs work at every level that is made of it.
 const MAX_POINTS: usize = 1 << 18;
+/// Points of a tile's rivers, at most: each may touch a whole tile's texels.
+const MAX_RIVER_POINTS: usize = 1 << 14;
 /// What is wrong with a tile that needs no words of its own.
 const ENDS_EARLY: &str = "ends early";
 
@@ -68,6 +71,52 @@ pub struct Ring {
     pub points: Vec<[i32; 2]>,
 }
 
+/// Kinds of rivers, by the ranks of CIA's World Data Bank II.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Stream {
+    /// Permanent major rivers (1).
+    River = 1,
+    /// Additional major rivers (2).
+    Tributary = 2,
+}
+
+impl Stream {
+    /// All of them, great ones first.
+    pub const ALL: [Self; 2] = [Self::River, Self::Tributary];
+
+    /// The name of the layer.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::River => "river",
+            Self::Tributary => "tributary",
+        }
+    }
+
+    /// How wide such rivers are taken to be, metres. The data bank has lines without a width: made up, about that of the Danube or the Rhine for
+    /// the first, of what runs into them for the second. What is wider than a kilometre is mostly a lake's polygon.
+    pub fn width_m(self) -> f64 {
+        match self {
+            Self::River => 400.0,
+            Self::Tributary => 150.0,
+        }
+    }
+
+    /// What is finer does not bend such rivers, metres: bends of less than their width would make scallops of their banks.
+    fn smooth_m(self) -> f64 {
+        self.width_m() / 2.5
+    }
+}
+
+/// The middle of a river, or a part of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct River {
+    /// Of what kind.
+    pub stream: Stream,
+    /// Two or more, as a ring's.
+    pub points: Vec<[i32; 2]>,
+}
+
 /// The shores in and around a tile.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shores {
@@ -75,6 +124,8 @@ pub struct Shores {
     pub extent: i32,
     /// The polygons' borders.
     pub rings: Vec<Ring>,
+    /// What runs through the land.
+    pub rivers: Vec<River>,
 }
 
 impl Shores {
@@ -84,7 +135,7 @@ impl Shores {
     /// [`Error::BadData`] where the bytes are no such tile: they end early, their counts or commands are impossible.
     pub fn decode(what: &str, bytes: &[u8]) -> Result<Self> {
         let bad = |why: String| Error::bad_data(what, why, "a whole Mapbox Vector Tile of coasts is needed");
-        read_tile(bytes).map_err(bad)
+        read::tile(bytes).map_err(bad)
     }
 
     /// Whether each side of a ring of `tile` is a shore, from its first point on: those that cut a ring off at the tile's edge are none.
@@ -102,92 +153,3 @@ impl Shores {
 }
 
 type Read<T> = std::result::Result<T, String>;
-
-fn read_tile(bytes: &[u8]) -> Read<Shores> {
-    let mut shores: Option<Shores> = None;
-    let mut reader = Reader::new(bytes);
-    while let Some((field, value)) = reader.field()? {
-        let (3, Value::Bytes(layer)) = (field, value) else { continue };
-        let Some((extent, rings)) = read_layer(layer)? else { continue };
-        let all = shores.get_or_insert(Shores { extent, rings: Vec::new() });
-        if all.extent != extent {
-            return Err(format!("has layers of {} and {extent} units", all.extent));
-        }
-        all.rings.extend(rings);
-        let points: usize = all.rings.iter().map(|ring| ring.points.len()).sum();
-        if points > MAX_POINTS {
-            return Err(format!("has {points} points; at most {MAX_POINTS} are read"));
-        }
-    }
-    Ok(shores.unwrap_or(Shores { extent: 4096, rings: Vec::new() }))
-}
-
-/// Units along a side, and the rings; `None` of a layer of another name.
-fn read_layer(bytes: &[u8]) -> Read<Option<(i32, Vec<Ring>)>> {
-    let (mut level, mut extent, mut features) = (None, 4096, Vec::new());
-    let mut reader = Reader::new(bytes);
-    while let Some((field, value)) = reader.field()? {
-        match (field, value) {
-            (1, Value::Bytes(name)) => level = Level::ALL.into_iter().find(|level| level.name().as_bytes() == name),
-            (2, Value::Bytes(feature)) => features.push(feature),
-            (5, Value::Number(units)) => extent = units,
-            _ => {}
-        }
-    }
-    let Some(level) = level else { return Ok(None) };
-    let units = u32::try_from(extent).ok().filter(|units| (1..=MAX_EXTENT).contains(units));
-    let extent = units.ok_or_else(|| format!("has a layer of {extent} units"))? as i32;
-    let mut rings = Vec::new();
-    for feature in features {
-        read_feature(feature, level, extent, &mut rings)?;
-    }
-    Ok(Some((extent, rings)))
-}
-
-fn read_feature(bytes: &[u8], level: Level, extent: i32, rings: &mut Vec<Ring>) -> Read<()> {
-    let (mut kind, mut geometry) = (0, &[][..]);
-    let mut reader = Reader::new(bytes);
-    while let Some((field, value)) = reader.field()? {
-        match (field, value) {
-            (3, Value::Number(number)) => kind = number,
-            (4, Value::Bytes(commands)) => geometry = commands,
-            _ => {}
-        }
-    }
-    if kind != 3 {
-        return Err(format!("has a feature of type {kind} among its polygons"));
-    }
-    let mut reader = Reader::new(geometry);
-    let (mut at, mut points) = ([0i32; 2], Vec::new());
-    let most = 4 * extent.max(256);
-    while let Some(command) = reader.number_if_any()? {
-        let (id, count) = (command & 7, command >> 3);
-        match (id, count, points.len()) {
-            (1, 1, 0) => points.push(step(&mut reader, &mut at, most)?),
-            (2, 1.., 1) => {
-                // Two numbers of a byte or more each: a count beyond that lies.
-                if count > (reader.left() / 2) as u64 {
-                    return Err(format!("says that {count} points follow in {} bytes", reader.left()));
-                }
-                for _ in 0..count {
-                    points.push(step(&mut reader, &mut at, most)?);
-                }
-            }
-            (7, 1, 3..) => rings.push(Ring { level, points: std::mem::take(&mut points) }),
-            (id, count, drawn) => return Err(format!("has command {id} for {count} after {drawn} points of a ring")),
-        }
-    }
-    if points.is_empty() { Ok(()) } else { Err("has a ring that is not closed".into()) }
-}
-
-fn step(reader: &mut Reader<'_>, at: &mut [i32; 2], most: i32) -> Read<[i32; 2]> {
-    for place in at.iter_mut() {
-        let way = reader.signed()?;
-        let sum = i64::from(*place).saturating_add(way);
-        if sum.unsigned_abs() > most as u64 {
-            return Err(format!("has a point {sum} units from its corner"));
-        }
-        *place = sum as i32;
-    }
-    Ok(*at)
-}

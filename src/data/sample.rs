@@ -6,11 +6,11 @@
 use super::tile::{
     Layer, MapPoint, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texel_size_m, texels_across,
 };
-use super::water::{MOST_STEPS, SATURATION_TEXELS, STEPS_PER_TEXEL, WaterClass, unpacked};
+use super::water::{BY_RIVER, MOST_STEPS, ON_ISLAND, SATURATION_TEXELS, STEPS_PER_TEXEL, WaterClass, unpacked};
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
-use crate::model::lakes::{self, Lake};
+use crate::model::lakes::{self, Lake, RIVER_MARGIN_M};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::shaped_on;
@@ -31,7 +31,7 @@ pub struct Sample {
     /// Distance to the ocean's shore, metres, positive in the ocean. `None` where there is no water tile, and where it is
     /// more than eight texels of the coarsest tile (1,200 km at the equator, 100 km at the poles).
     pub shore_distance_m: Option<f64>,
-    /// Distance to the nearest lake's shore, metres, positive in the lake; as above.
+    /// Distance to the nearest shore of a lake or a river, metres, positive in it; as above.
     pub lake_distance_m: Option<f64>,
     /// The lake that covers the ground, where it is one of the table (`model::lakes`): its surface is then the elevation.
     pub lake: Option<&'static str>,
@@ -91,20 +91,22 @@ pub fn sample(
         }));
     };
     let [ocean_m, lake_m] = map.shores(water_level, lat)?;
-    let class = if ocean_m > 0.0 {
-        WaterClass::Ocean
-    } else if lake_m > 0.0 {
-        WaterClass::Lake
-    } else {
-        let nearest = texel_index(point, water_level);
-        match &*texels {
-            TileTexels::Water(texels) if unpacked(texels[nearest]).1 == WaterClass::Island as u8 => WaterClass::Island,
-            _ => WaterClass::Land,
-        }
+    let nearest = texel_index(point, water_level);
+    let marks = if let TileTexels::Water(texels) = &*texels { unpacked(texels[nearest]).1 } else { 0 };
+    let by_river = marks & BY_RIVER != 0;
+    let class = match [ocean_m, lake_m].map(|shore_m| shore_m > 0.0) {
+        [true, _] => WaterClass::Ocean,
+        [_, true] if by_river => WaterClass::River,
+        [_, true] => WaterClass::Lake,
+        _ if marks & ON_ISLAND != 0 => WaterClass::Island,
+        _ => WaterClass::Land,
     };
     let measured_m = shaped_on(raw_m, ocean_m, terrain.resolution_m, terrain.beach_slope);
     let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
-    let shaped = |lake: &Lake| lakes::shaped(measured_m, lake_m, lake.level_m, lake.margin_m);
+    let shaped = |lake: &Lake| {
+        let margin_m = if by_river { lake.margin_m.min(RIVER_MARGIN_M) } else { lake.margin_m };
+        lakes::shaped(measured_m, lake_m, lake.level_m, margin_m)
+    };
     let elevation_measured_m = lake.map_or(measured_m, shaped);
     let is_dry = matches!(class, WaterClass::Land | WaterClass::Island);
     let relief_made_m = if is_dry && rugged::is_coarse(terrain.resolution_m) {

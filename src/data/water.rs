@@ -43,17 +43,19 @@ pub enum WaterClass {
     Lake = 2,
     /// An island in a lake (level 3).
     Island = 3,
+    /// Running water: a river outside of lakes' polygons, which hold its widest stretches.
+    River = 4,
 }
 
 impl WaterClass {
-    /// The class of a stored byte.
+    /// The class of a stored byte; pictures hold no rivers.
     pub fn from_byte(byte: u8) -> Option<Self> {
         [Self::Land, Self::Ocean, Self::Lake, Self::Island].get(usize::from(byte)).copied()
     }
 
     /// Whether the ground lies under water.
     pub fn is_wet(self) -> bool {
-        matches!(self, Self::Ocean | Self::Lake)
+        matches!(self, Self::Ocean | Self::Lake | Self::River)
     }
 }
 
@@ -68,17 +70,22 @@ pub fn distance_from_byte(byte: u8) -> f64 {
     (f64::from(byte) - f64::from(SHORE)) * f64::from(STEPS_OF_A_BYTE) / STEPS_PER_TEXEL
 }
 
-/// A texel at hand: signed steps to the shores of the ocean and of lakes, of which as much is kept as [`MOST_STEPS`] allows, and a
-/// [`WaterClass`]. Red and alpha are the ocean's steps over 2^15, high and low byte; green and the upper six bits of blue the lakes' over
-/// 2^13; the lower two the class.
-pub fn packed([ocean, lake]: [i32; 2], class: u8) -> [u8; 4] {
+/// Mark of a texel at hand whose nearest inland water is a river.
+pub const BY_RIVER: u8 = 1;
+/// Mark of a texel at hand on an island in a lake.
+pub const ON_ISLAND: u8 = 2;
+
+/// A texel at hand: signed steps to the shores of the ocean and of inland waters, of which as much is kept as [`MOST_STEPS`] allows, and what
+/// they do not tell: the marks [`BY_RIVER`] and [`ON_ISLAND`]. Red and alpha are the ocean's steps over 2^15, high and low byte; green and the
+/// upper six bits of blue the inland waters' over 2^13; the lower two the marks.
+pub fn packed([ocean, lake]: [i32; 2], marks: u8) -> [u8; 4] {
     let most = MOST_STEPS;
     let ocean = ocean.clamp(-most[0], most[0]) + 0x8000;
     let lake = lake.clamp(-most[1], most[1]) + 0x2000;
-    [(ocean >> 8) as u8, (lake >> 6) as u8, ((lake & 63) << 2) as u8 | class & 3, ocean as u8]
+    [(ocean >> 8) as u8, (lake >> 6) as u8, ((lake & 63) << 2) as u8 | marks & 3, ocean as u8]
 }
 
-/// Signed steps to both shores, and the class, of a texel at hand.
+/// Signed steps to both shores, and the marks, of a texel at hand.
 pub fn unpacked([r, g, b, a]: [u8; 4]) -> ([i32; 2], u8) {
     let [r, g, b4, a] = [r, g, b >> 2, a].map(i32::from);
     ([(r << 8 | a) - 0x8000, (g << 6 | b4) - 0x2000], b & 3)
@@ -91,6 +98,8 @@ pub struct OwnShores {
     pub steps: Vec<[i16; 2]>,
     /// Each a [`WaterClass`].
     pub classes: Vec<u8>,
+    /// Of each, whether the nearest inland water is a river; none of a tile without rivers.
+    pub by_river: Vec<bool>,
 }
 
 impl OwnShores {
@@ -98,14 +107,18 @@ impl OwnShores {
     /// lakes keep their side.
     pub fn within(&self, id: TileId, parent: Option<&[[u8; 4]]>) -> Vec<[u8; 4]> {
         let own = |at: usize| self.steps[at].map(i32::from);
+        let marks = |at: usize| {
+            let island = if self.classes[at] == WaterClass::Island as u8 { ON_ISLAND } else { 0 };
+            if self.by_river.get(at) == Some(&true) { island | BY_RIVER } else { island }
+        };
         let Some(parent) = parent.filter(|parent| parent.len() == TILE_TEXELS * TILE_TEXELS) else {
-            return (0..self.steps.len()).map(|at| packed(own(at), self.classes[at])).collect();
+            return (0..self.steps.len()).map(|at| packed(own(at), marks(at))).collect();
         };
         let quarter = Quarter::of(parent, id);
         let texel = |at: usize| {
             let own = own(at);
             if own.iter().all(|steps| steps.abs() <= BLENDED_FROM) {
-                return packed(own, self.classes[at]);
+                return packed(own, marks(at));
             }
             let far = quarter.at(at % TILE_TEXELS, at / TILE_TEXELS);
             let steps = [0, 1].map(|shore| {
@@ -114,7 +127,7 @@ impl OwnShores {
                 let all = BLENDED_TO - BLENDED_FROM;
                 own[shore].signum() * (near + ((far - near) * share + all / 2) / all)
             });
-            packed(steps, self.classes[at])
+            packed(steps, marks(at))
         };
         (0..self.steps.len()).map(texel).collect()
     }
@@ -169,6 +182,7 @@ pub fn decode(what: &str, bytes: &[u8]) -> Result<OwnShores> {
     Ok(OwnShores {
         steps: texels.iter().map(|[r, g, _]| [side(*r), side(*g)]).collect(),
         classes: texels.iter().map(|texel| texel[2]).collect(),
+        by_river: Vec::new(),
     })
 }
 

@@ -27,6 +27,9 @@ const WIDE_M: f64 = 60.0;
 /// Lakes between the walls of rifts: their shores' cells are half mountain.
 const RIFT_M: f64 = 400.0;
 
+/// The margin of rivers and their banks, which rise from a lake sooner than its own shores, m: beyond it they lie on the ground.
+pub const RIVER_MARGIN_M: f64 = 20.0;
+
 /// So far from a lake's shore the ground has come up from its level to the data's elevation, m.
 pub const SHORE_M: f64 = 2_000.0;
 /// The ground beside a lake rises by this much of the distance, and to so many metres over its level, at least.

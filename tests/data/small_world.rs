@@ -140,6 +140,7 @@ pub fn nothing(output: &Path) -> BakeArgs {
         imagery: None,
         coast: None,
         ponds: None,
+        rivers: None,
         coast_zoom: 4,
         coast_tolerance_m: 50.0,
         coast_credit: "somebody's coasts".into(),

@@ -17,6 +17,7 @@ mod night;
 mod own_world;
 mod relief;
 mod ride;
+mod rivers;
 mod sheets;
 mod shore;
 mod shore_settings;

@@ -1,9 +1,11 @@
-//! The coast archive: shores simplified for each level, cut into tiles.
+//! The coast archive: shores and rivers simplified for each level, cut into tiles.
 
+use super::clip::{self, Bounds};
+use super::rivers::Course;
 use super::shorelines::{BITS, Shoreline};
 use super::simplify::simplified;
 use crate::data::coast::write::{doubled_area, encode};
-use crate::data::coast::{BUFFER_TEXELS, Level, Ring};
+use crate::data::coast::{BUFFER_TEXELS, Level, Ring, River, Stream};
 use crate::data::pmtiles::write::{ArchiveWriter, gzip};
 use crate::data::tile::{EQUATOR_M, Projection, TILE_TEXELS, TileId};
 use crate::error::Result;
@@ -34,43 +36,45 @@ fn extent_bits(deepest: bool) -> u32 {
     if deepest { 13 } else { 12 }
 }
 
-/// Makes the tiles of Mercator's map: those that have a shore in them or within the buffer, and all above them.
+/// The lines of a level or of a tile.
+#[derive(Clone)]
+struct Lines {
+    rings: Vec<Ring>,
+    rivers: Vec<River>,
+}
+
+/// Makes the tiles of Mercator's map: those that have a shore or a river in them or within the buffer, and all above them.
 pub fn add_tiles(
     writer: &mut ArchiveWriter,
-    shores: Vec<Shoreline>,
+    (shores, rivers): (Vec<Shoreline>, Vec<Course>),
     detail: &Detail,
     mut progress: impl FnMut(u8, usize, usize),
 ) -> Result<()> {
-    let mut shores = shores;
+    let (mut shores, mut rivers) = (shores, rivers);
     let mut needed: BTreeSet<TileId> = BTreeSet::new();
     for z in (0..=detail.max_zoom).rev() {
         let deepest = z == detail.max_zoom;
         let unit_bits = BITS - u32::from(z) - extent_bits(deepest);
         shores = shores.into_par_iter().filter_map(|line| at_level(line, z, deepest, detail)).collect();
-        let rings: Vec<Ring> = shores
-            .par_iter()
-            .flat_map_iter(|line| {
-                let across = 1 << (BITS - unit_bits);
-                let points = rounded(&line.points, unit_bits);
-                let buffer = BUFFER_TEXELS << (extent_bits(deepest) - TILE_BITS);
-                // What lies near one end of the map lies beyond the other, too.
-                [-across, 0, across].into_iter().filter_map(move |shift| {
-                    let reaches = |x: i32| (-buffer..=across + buffer).contains(&(x + shift));
-                    if points.len() < 3 || !points.iter().any(|point| reaches(point[0])) {
-                        return None;
-                    }
-                    let moved = points.iter().map(|[x, y]| [x + shift, *y]).collect();
-                    Some(Ring { level: line.level, points: moved })
-                })
-            })
-            .collect();
+        rivers =
+            rivers.into_par_iter().map(|line| line.simplified(|point| tolerance(point, z, deepest, detail))).collect();
+        let rings = shores.par_iter().flat_map_iter(|line| {
+            let points = around(rounded(&line.points, unit_bits, true), unit_bits, deepest, 3);
+            points.map(|points| Ring { level: line.level, points })
+        });
+        let shown = rivers.par_iter().filter(|line| line.is_at(z, deepest));
+        let shown = shown.flat_map_iter(|line| {
+            let points = around(rounded(&line.points, unit_bits, false), unit_bits, deepest, 2);
+            points.map(|points| River { stream: line.stream, points })
+        });
+        let lines = Lines { rings: rings.collect(), rivers: shown.collect() };
         let extent = 1 << extent_bits(deepest);
         let cut = Cut { z, extent, needed: &needed };
-        let tiles = cut.tiles(TileId::root(Projection::Mercator), rings);
+        let tiles = cut.tiles(TileId::root(Projection::Mercator), lines);
         let all = tiles.len();
         needed = tiles.keys().flat_map(|tile| (0..z).filter_map(|above| tile.ancestor(above))).collect();
-        for (done, (tile, rings)) in tiles.into_iter().enumerate() {
-            writer.add(tile.z, tile.x, tile.y, &gzip(&encode(extent as u32, &rings))?)?;
+        for (done, (tile, Lines { rings, rivers })) in tiles.into_iter().enumerate() {
+            writer.add(tile.z, tile.x, tile.y, &gzip(&encode(extent as u32, &rings, &rivers))?)?;
             progress(z, done + 1, all);
         }
     }
@@ -84,29 +88,45 @@ fn at_level(line: Shoreline, z: u8, deepest: bool, detail: &Detail) -> Option<Sh
     if is_least && !deepest && (doubled_area(&line.points).abs() as f64) < 2.0 * LEAST_TEXELS * texel * texel {
         return None;
     }
-    let unit_m = EQUATOR_M / f64::from(1u32 << BITS);
-    let coarse = if deepest { 0.0 } else { TOLERANCE_TEXELS * texel };
-    let tolerance = |point: [i32; 2]| {
-        // The cosine of the latitude: so much shorter is a unit on the ground.
-        let cos_lat = 1.0 / ((0.5 - f64::from(point[1]) / f64::from(1u32 << BITS)) * std::f64::consts::TAU).cosh();
-        (detail.tolerance_m / (unit_m * cos_lat)).max(coarse)
-    };
     let across = 1 << BITS;
     let fixed = |[x, _]: [i32; 2]| x == 0 || x == across;
+    let tolerance = |point: [i32; 2]| tolerance(point, z, deepest, detail);
     Some(Shoreline { level: line.level, points: simplified(&line.points, tolerance, fixed) })
 }
 
-fn rounded(points: &[[i32; 2]], bits: u32) -> Vec<[i32; 2]> {
+/// How far a line may be off at a point, in units of the whole map.
+fn tolerance(point: [i32; 2], z: u8, deepest: bool, detail: &Detail) -> f64 {
+    let texel = f64::from(1u32 << (BITS - u32::from(z))) / TILE_TEXELS as f64;
+    let unit_m = EQUATOR_M / f64::from(1u32 << BITS);
+    // The cosine of the latitude: so much shorter is a unit on the ground.
+    let cos_lat = 1.0 / ((0.5 - f64::from(point[1]) / f64::from(1u32 << BITS)) * std::f64::consts::TAU).cosh();
+    (detail.tolerance_m / (unit_m * cos_lat)).max(if deepest { 0.0 } else { TOLERANCE_TEXELS * texel })
+}
+
+/// A line of some points or more where the map shows it: what lies near one end of the map lies beyond the other, too.
+fn around(points: Vec<[i32; 2]>, unit_bits: u32, deepest: bool, least: usize) -> impl Iterator<Item = Vec<[i32; 2]>> {
+    let across = 1 << (BITS - unit_bits);
+    let buffer = BUFFER_TEXELS << (extent_bits(deepest) - TILE_BITS);
+    [-across, 0, across].into_iter().filter_map(move |shift| {
+        let reaches = |x: i32| (-buffer..=across + buffer).contains(&(x + shift));
+        if points.len() < least || !points.iter().any(|point| reaches(point[0])) {
+            return None;
+        }
+        Some(points.iter().map(|[x, y]| [x + shift, *y]).collect())
+    })
+}
+
+fn rounded(points: &[[i32; 2]], bits: u32, closed: bool) -> Vec<[i32; 2]> {
     let half = (1 << bits) >> 1;
     let mut rounded: Vec<_> = points.iter().map(|point| point.map(|x| (x + half) >> bits)).collect();
     rounded.dedup();
-    while rounded.len() > 1 && rounded.first() == rounded.last() {
+    while closed && rounded.len() > 1 && rounded.first() == rounded.last() {
         rounded.pop();
     }
     rounded
 }
 
-/// Cutting a level's rings into its tiles.
+/// Cutting a level's lines into its tiles.
 struct Cut<'a> {
     z: u8,
     extent: i32,
@@ -115,15 +135,18 @@ struct Cut<'a> {
 }
 
 impl Cut<'_> {
-    /// The tiles of the level in `id`, from all rings that reach it, in units of the level from the map's corner.
-    fn tiles(&self, id: TileId, rings: Vec<Ring>) -> BTreeMap<TileId, Vec<Ring>> {
-        let (low, high) = self.box_of(id);
-        let rings: Vec<_> = rings.into_iter().filter_map(|ring| clipped(ring, low, high)).collect();
-        if !self.needed.contains(&id) && rings.iter().all(|ring| !has_shore(ring, low, high)) {
+    /// The tiles of the level in `id`, from all lines that reach it, in units of the level from the map's corner.
+    fn tiles(&self, id: TileId, Lines { rings, rivers }: Lines) -> BTreeMap<TileId, Lines> {
+        let bounds = self.box_of(id);
+        let rings: Vec<_> = rings.into_iter().filter_map(|ring| clip::ring(ring, bounds)).collect();
+        let rivers: Vec<_> = rivers.iter().flat_map(|river| clip::river(river, bounds)).collect();
+        let is_empty = rivers.is_empty() && rings.iter().all(|ring| !has_shore(ring, bounds));
+        if !self.needed.contains(&id) && is_empty {
             return BTreeMap::new();
         }
+        let lines = Lines { rings, rivers };
         match id.children().filter(|_| id.z < self.z) {
-            Some(children) => children.into_par_iter().map(|child| self.tiles(child, rings.clone())).reduce(
+            Some(children) => children.into_par_iter().map(|child| self.tiles(child, lines.clone())).reduce(
                 BTreeMap::new,
                 |mut all, part| {
                     all.extend(part);
@@ -132,17 +155,18 @@ impl Cut<'_> {
             ),
             None => {
                 let corner = [id.x, id.y].map(|tile| tile as i32 * self.extent);
-                let inside = |ring: Ring| {
-                    let points = ring.points.iter().map(|[x, y]| [x - corner[0], y - corner[1]]).collect();
-                    Ring { level: ring.level, points }
-                };
-                BTreeMap::from([(id, rings.into_iter().map(inside).filter(|r| doubled_area(&r.points) != 0).collect())])
+                let inside = |points: &[[i32; 2]]| points.iter().map(|[x, y]| [x - corner[0], y - corner[1]]).collect();
+                let rings = lines.rings.iter().map(|ring| Ring { level: ring.level, points: inside(&ring.points) });
+                let rivers =
+                    lines.rivers.iter().map(|river| River { stream: river.stream, points: inside(&river.points) });
+                let rings = rings.filter(|ring| doubled_area(&ring.points) != 0).collect();
+                BTreeMap::from([(id, Lines { rings, rivers: rivers.collect() })])
             }
         }
     }
 
     /// The corners of a tile with the buffer of the level around it.
-    fn box_of(&self, id: TileId) -> ([i32; 2], [i32; 2]) {
+    fn box_of(&self, id: TileId) -> Bounds {
         let buffer = BUFFER_TEXELS * self.extent / TILE_TEXELS as i32;
         let side = self.extent << (self.z - id.z);
         let corner = |more: i32| [id.x, id.y].map(|tile| (tile as i32 + more) * side);
@@ -151,7 +175,7 @@ impl Cut<'_> {
 }
 
 /// Whether any side of a ring is a shore rather than the border of the box.
-fn has_shore(ring: &Ring, low: [i32; 2], high: [i32; 2]) -> bool {
+fn has_shore(ring: &Ring, (low, high): Bounds) -> bool {
     let next = ring.points.iter().skip(1).chain(ring.points.first());
     ring.points
         .iter()
@@ -159,53 +183,8 @@ fn has_shore(ring: &Ring, low: [i32; 2], high: [i32; 2]) -> bool {
         .any(|(a, b)| !(0..2).any(|axis| a[axis] == b[axis] && (a[axis] == low[axis] || a[axis] == high[axis])))
 }
 
-/// What of a ring lies in a box (I. Sutherland and G. Hodgman 1974, doi:10.1145/360767.360802); parts are joined along its border.
-fn clipped(ring: Ring, low: [i32; 2], high: [i32; 2]) -> Option<Ring> {
-    let level = ring.level;
-    let mut points = ring.points;
-    for axis in 0..2 {
-        for (limit, sign) in [(low[axis], 1), (high[axis], -1)] {
-            let inside = |point: &[i32; 2]| sign * (point[axis] - limit) >= 0;
-            let within = points.iter().filter(|point| inside(point)).count();
-            if within == 0 {
-                return None;
-            }
-            if within == points.len() {
-                continue;
-            }
-            let mut kept: Vec<[i32; 2]> = Vec::with_capacity(points.len() + 8);
-            let mut before = points[points.len() - 1];
-            for point in points {
-                if inside(&before) != inside(&point) {
-                    kept.push(at_border(before, point, axis, limit));
-                }
-                if inside(&point) {
-                    kept.push(point);
-                }
-                before = point;
-            }
-            kept.dedup();
-            points = kept;
-        }
-    }
-    while points.len() > 1 && points.first() == points.last() {
-        points.pop();
-    }
-    (points.len() >= 3).then_some(Ring { level, points })
-}
-
-/// Where a side meets a border; the same from both ends.
-fn at_border(a: [i32; 2], b: [i32; 2], axis: usize, limit: i32) -> [i32; 2] {
-    let (a, b) = if a <= b { (a, b) } else { (b, a) };
-    let other = 1 - axis;
-    let part = f64::from(limit - a[axis]) / f64::from(b[axis] - a[axis]);
-    let mut point = [limit; 2];
-    point[other] = a[other] + (part * f64::from(b[other] - a[other])).round() as i32;
-    point
-}
-
 /// The vector layers of the archive, for whoever reads it.
 pub fn layers() -> serde_json::Value {
-    let layer = |level: Level| serde_json::json!({ "id": level.name(), "fields": {} });
-    Level::ALL.map(layer).to_vec().into()
+    let names = Level::ALL.map(Level::name).into_iter().chain(Stream::ALL.map(Stream::name));
+    names.map(|name| serde_json::json!({ "id": name, "fields": {} })).collect()
 }

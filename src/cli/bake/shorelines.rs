@@ -23,7 +23,8 @@ pub struct Shoreline {
     pub points: Vec<[i32; 2]>,
 }
 
-fn place(lon_deg: f64, lat_deg: f64) -> [i32; 2] {
+/// A place in units of the whole map.
+pub fn place(lon_deg: f64, lat_deg: f64) -> [i32; 2] {
     let span = f64::from(1 << BITS);
     let x = (lon_deg / 360.0 + 0.5) * span;
     let (_, y) = map_from_lat_lon(Projection::Mercator, lat_deg.to_radians(), 0.0);

@@ -22,6 +22,30 @@ pub fn simplified(
         open.push((from, to));
         from = to;
     }
+    let mut least = keep(points, &mut kept, open, tolerance);
+    // What would vanish keeps its farthest points.
+    least.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let lacking = 4usize.saturating_sub(kept[..points.len()].iter().filter(|kept| **kept).count());
+    least.iter().take(lacking).for_each(|(_, at)| kept[*at] = true);
+    points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
+}
+
+/// The points to keep of an open line, its ends among them.
+pub fn simplified_line(points: &[[i32; 2]], tolerance: impl Fn([i32; 2]) -> f64) -> Vec<[i32; 2]> {
+    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
+    let mut kept = vec![false; points.len()];
+    (kept[0], kept[last]) = (true, true);
+    keep(points, &mut kept, vec![(0, last)], tolerance);
+    points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
+}
+
+/// Keeps points of pieces, from one to another, until the others lie near enough; returns what was farthest away in the last ones, and how far.
+fn keep(
+    points: &[[i32; 2]],
+    kept: &mut [bool],
+    mut open: Vec<(usize, usize)>,
+    tolerance: impl Fn([i32; 2]) -> f64,
+) -> Vec<(f64, usize)> {
     let mut least = Vec::new();
     while let Some((from, to)) = open.pop() {
         let (a, b) = (points[from], points[to % points.len()]);
@@ -35,11 +59,7 @@ pub fn simplified(
             }
         }
     }
-    // What would vanish keeps its farthest points.
-    least.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let lacking = 4usize.saturating_sub(kept[..points.len()].iter().filter(|kept| **kept).count());
-    least.iter().take(lacking).for_each(|(_, at)| kept[*at] = true);
-    points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
+    least
 }
 
 fn square(a: [i32; 2], b: [i32; 2]) -> i64 {

@@ -21,6 +21,8 @@ pub(super) struct Bends {
     equator_m: f64,
     /// How far noise moves the shores, of what it says.
     pub(super) moves: f64,
+    /// Octaves that texels of this width cannot hold are left out, metres.
+    pub(super) finest_m: f64,
 }
 
 /// A latitude.
@@ -37,7 +39,7 @@ impl Bends {
         }
         let corner = [tile.x, tile.y].map(|tile| f64::from(tile) * TILE_TEXELS as f64 - MARGIN as f64);
         let across = texels_across(tile.z);
-        let bends = Self { corner, texel: 1.0 / across, equator_m: EQUATOR_M / across, moves: 1.0 };
+        let bends = Self { corner, texel: 1.0 / across, equator_m: EQUATOR_M / across, moves: 1.0, finest_m: 0.0 };
         [0.0, SIDE as f64].into_iter().any(|y| share(bends.texel_m(y)) > 0.0).then_some(bends)
     }
 
@@ -46,7 +48,7 @@ impl Bends {
         let lat = self.row(at[1]);
         let (sin, cos) = libm::sincos(((self.corner[0] + at[0]) * self.texel - 0.5) * TAU);
         let texel_m = self.equator_m * lat.cos;
-        let [east_m, north_m] = moved_m([lat.cos, lat.sin], [cos, sin], texel_m);
+        let [east_m, north_m] = moved_m([lat.cos, lat.sin], [cos, sin], texel_m.max(self.finest_m));
         let texels = self.moves * share(texel_m) / texel_m;
         [at[0] + east_m * texels, at[1] - north_m * texels]
     }

@@ -53,6 +53,11 @@ impl Curves {
         Some(Self { bends, longest, pad, left: MOST_PIECES })
     }
 
+    /// From here on lines bend by octaves alone that texels of a width in metres can hold.
+    pub(super) fn smoother(&mut self, finest_m: f64) {
+        self.bends.finest_m = finest_m;
+    }
+
     /// Draws a closed line, of whose sides `is_shore` tells the shores; `draw` takes pieces, in their order.
     pub(super) fn ring(&mut self, points: &[Place], is_shore: &[bool], mut draw: impl FnMut(Place, Place, bool)) {
         let count = points.len();

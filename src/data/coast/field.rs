@@ -7,6 +7,7 @@
 //! of each level lie to the left.
 
 use super::curve::Curves;
+use super::river::Rivers;
 use super::sweep::{Piece, Sweep};
 use super::{Level, Shores};
 use crate::data::tile::{Projection, TILE_TEXELS, TileId, lat_lon_from_map};
@@ -56,21 +57,62 @@ pub fn field(tile: TileId, z: u8, shores: &Shores) -> Option<OwnShores> {
             None => straight(&points, &are_shores, draw),
         }
     }
+    let mut rivers = Rivers::new(tile, &shores.rivers);
+    for river in &shores.rivers {
+        points.clear();
+        points.extend(river.points.iter().map(|point| place(*point)));
+        // Nothing leads from its end back to its beginning.
+        are_shores.clear();
+        are_shores.extend((1..=points.len()).map(|next| next < points.len()));
+        let draw = |a: [f64; 2], b: [f64; 2], is_river: bool| {
+            if is_river {
+                rivers.add(river.stream, a, b);
+            }
+        };
+        match &mut curves {
+            Some(curves) => {
+                curves.smoother(river.stream.smooth_m());
+                curves.ring(&points, &are_shores, draw);
+            }
+            None => straight(&points, &are_shores, draw),
+        }
+    }
     let scale = (tile.z < UNEVEN).then(|| scales(tile));
     let classes = classes(&borders);
     let [ocean, lake] = [0, 1].map(|shore| Sweep::new(&pieces[shore], scale.as_deref()));
     let inside = |at: usize| (at / TILE_TEXELS + MARGIN) * SIDE + at % TILE_TEXELS + MARGIN;
     let texels = 0..TILE_TEXELS * TILE_TEXELS;
-    if tile.z > z && texels.clone().all(|at| ocean.texels(inside(at)).min(lake.texels(inside(at))) >= REACH) {
+    // Empty where there are none.
+    let banks: Vec<f64> =
+        if rivers.is_empty() { Vec::new() } else { texels.clone().map(|at| rivers.texels(at)).collect() };
+    let is_far = |at: usize| {
+        let far = ocean.texels(inside(at)).min(lake.texels(inside(at))) >= REACH;
+        far && banks.get(at).is_none_or(|bank| *bank <= -REACH)
+    };
+    if tile.z > z && texels.clone().all(is_far) {
         return None;
     }
-    let mut own = OwnShores { steps: Vec::with_capacity(texels.len()), classes: Vec::with_capacity(texels.len()) };
+    let room = texels.len();
+    let mut own = OwnShores {
+        steps: Vec::with_capacity(room),
+        classes: Vec::with_capacity(room),
+        by_river: Vec::with_capacity(banks.len()),
+    };
     for at in texels {
-        let (cell, class) = (inside(at), classes[inside(at)]);
-        let signed = [(&ocean, WaterClass::Ocean), (&lake, WaterClass::Lake)].map(|(shores, wet)| {
+        let (cell, mut class) = (inside(at), classes[inside(at)]);
+        let mut signed = [(&ocean, WaterClass::Ocean), (&lake, WaterClass::Lake)].map(|(shores, wet)| {
             let texels = shores.texels(cell);
             if class == wet as u8 { texels } else { -texels }
         });
+        if let Some(bank) = banks.get(at).copied() {
+            let is_nearer = bank > signed[1];
+            signed[1] = signed[1].max(bank);
+            // The ocean and lakes stay what they are.
+            if bank > 0.0 && [WaterClass::Land, WaterClass::Island].iter().any(|dry| *dry as u8 == class) {
+                class = WaterClass::River as u8;
+            }
+            own.by_river.push(is_nearer && class != WaterClass::Lake as u8);
+        }
         own.steps.push(signed.map(steps));
         own.classes.push(class);
     }

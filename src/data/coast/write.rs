@@ -1,30 +1,43 @@
 //! Writing a coast tile.
 
-use super::{Level, Ring};
+use super::{Level, Ring, River, Stream};
 
-/// The tile of some rings in units of which `extent` span the tile, each of three points or more. The same bytes for the same rings.
-pub fn encode(extent: u32, rings: &[Ring]) -> Vec<u8> {
+/// The tile of some rings, each of three points or more, and rivers of two or more, in units of which `extent` span the tile. The same bytes for
+/// the same lines.
+pub fn encode(extent: u32, rings: &[Ring], rivers: &[River]) -> Vec<u8> {
     let mut tile = Vec::new();
     for level in Level::ALL {
-        let mut geometry = Vec::new();
-        let mut at = [0; 2];
+        let (mut geometry, mut at) = (Vec::new(), [0; 2]);
         for ring in rings.iter().filter(|ring| ring.level == level) {
-            draw(ring, &mut at, &mut geometry);
+            draw(&outer(ring), &mut at, &mut geometry);
+            number(&mut geometry, 1 << 3 | 7);
         }
-        if geometry.is_empty() {
-            continue;
+        layer(&mut tile, level.name(), extent, (3, &geometry));
+    }
+    for stream in Stream::ALL {
+        let (mut geometry, mut at) = (Vec::new(), [0; 2]);
+        for river in rivers.iter().filter(|river| river.stream == stream) {
+            draw(&river.points, &mut at, &mut geometry);
         }
-        let mut feature = Vec::new();
-        number_field(&mut feature, 3, 3);
-        bytes_field(&mut feature, 4, &geometry);
-        let mut layer = Vec::new();
-        number_field(&mut layer, 15, 2);
-        bytes_field(&mut layer, 1, level.name().as_bytes());
-        bytes_field(&mut layer, 2, &feature);
-        number_field(&mut layer, 5, extent.into());
-        bytes_field(&mut tile, 3, &layer);
+        layer(&mut tile, stream.name(), extent, (2, &geometry));
     }
     tile
+}
+
+/// A layer of one feature of a kind, if there is anything in it.
+fn layer(tile: &mut Vec<u8>, name: &str, extent: u32, (kind, geometry): (u64, &[u8])) {
+    if geometry.is_empty() {
+        return;
+    }
+    let mut feature = Vec::new();
+    number_field(&mut feature, 3, kind);
+    bytes_field(&mut feature, 4, geometry);
+    let mut layer = Vec::new();
+    number_field(&mut layer, 15, 2);
+    bytes_field(&mut layer, 1, name.as_bytes());
+    bytes_field(&mut layer, 2, &feature);
+    number_field(&mut layer, 5, extent.into());
+    bytes_field(tile, 3, &layer);
 }
 
 /// Twice the area, positive for an outer ring of the specification: clockwise where y points down.
@@ -34,13 +47,16 @@ pub fn doubled_area(points: &[[i32; 2]]) -> i64 {
     points.iter().zip(next).map(cross).sum()
 }
 
-fn draw(ring: &Ring, at: &mut [i32; 2], to: &mut Vec<u8>) {
-    let outer: Box<dyn Iterator<Item = &[i32; 2]>> =
-        if doubled_area(&ring.points) >= 0 { Box::new(ring.points.iter()) } else { Box::new(ring.points.iter().rev()) };
-    for (i, point) in outer.enumerate() {
+/// The points of a ring, turned as an outer one.
+fn outer(ring: &Ring) -> Vec<[i32; 2]> {
+    if doubled_area(&ring.points) >= 0 { ring.points.clone() } else { ring.points.iter().rev().copied().collect() }
+}
+
+fn draw(points: &[[i32; 2]], at: &mut [i32; 2], to: &mut Vec<u8>) {
+    for (i, point) in points.iter().enumerate() {
         match i {
             0 => number(to, 1 << 3 | 1),
-            1 => number(to, (ring.points.len() as u64 - 1) << 3 | 2),
+            1 => number(to, (points.len() as u64 - 1) << 3 | 2),
             _ => {}
         }
         for axis in 0..2 {
@@ -49,7 +65,6 @@ fn draw(ring: &Ring, at: &mut [i32; 2], to: &mut Vec<u8>) {
         }
         *at = *point;
     }
-    number(to, 1 << 3 | 7);
 }
 
 fn number(to: &mut Vec<u8>, mut number: u64) {

@@ -40,6 +40,7 @@ pub fn shared_constants() -> String {
         ("SHELTER_ON_LAND", shelter::ON_LAND),
         ("LAKE_SHORE", lakes::SHORE_M),
         ("LAKE_OF_MARGIN", lakes::OF_MARGIN),
+        ("RIVER_MARGIN", lakes::RIVER_MARGIN_M),
         ("LAKE_RISE", lakes::SHORE_RISES[0]),
         ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
@@ -125,7 +126,7 @@ pub enum Output {
     Height = 4,
     /// Unit normal, east, north, up at the eye.
     Normal = 5,
-    /// 0 land, 1 ocean, 2 lake.
+    /// 0 land, 1 ocean, 2 lake, 3 river.
     Class = 6,
     /// Weight of the Perlin field in the mix.
     PerlinWeight = 7,
