@@ -25,11 +25,13 @@ const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become to
 // Radiance of the scene in a pixel.
 fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
 
-// The pixel of the scene that shows a place on the bed: `own`, where something else stands before it. Beside the picture its rim does.
+// The pixel of the scene that shows a place on the bed: `own`, where something else stands before it. What lies beside the picture is taken to be
+// like what lies as far within: its rim, repeated, would be streaks.
 fn pixel_of_bed(own: vec2u, place: vec3f) -> vec2u {
     let clip = frame.clip_from_local * vec4f(place, 1.0);
     let shown = (vec2f(0.5, -0.5) * clip.xy / max(clip.w, NEAR) + 0.5) * frame.viewport;
-    let pixel = vec2u(clamp(shown, vec2f(0.0), frame.viewport - 1.0));
+    let last = frame.viewport - 1.0;
+    let pixel = vec2u(clamp(last - abs(last - abs(shown)), vec2f(0.0), last));
     let is_hidden = textureLoad(scene_depth, pixel, 0) * nearest_bed(0.9 * clip.w) > NEAR;
     return select(pixel, own, is_hidden);
 }

@@ -51,10 +51,11 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 // the rise of small hills right and down on the map, as slopes of about one, and how far the octave of 76 m has bent the place, in units of the map.
 struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f }
 
-const VALLEY_MEAN: f32 = 0.1408;   // of the size of `map_noise_rise`, over the plane
+const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
 
-// Valleys, creased where the noise is none, between round hills; from 100 m on down patches of what grows and lies there. Each octave bends
+// Patches of what grows and lies there; as far as 100 m valleys, too, creased where the noise is none, between round hills. Their tones are not creased: on
+// plains, whose hills do not show, they would be a tangle of worms. Each octave bends
 // the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
@@ -65,7 +66,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         let shown = 1.0 - smoothstep(0.25, 0.7, footprint * exp2(f32(level)) / EARTH_TURN);
         let noise = map_noise_rise(place, level, level);
         let is_hill = level < 20u;
-        let height = shown * select(noise.x, 0.9 * (abs(noise.x) - VALLEY_MEAN), is_hill);
+        let height = shown * select(1.0, WIDE_TONES, is_hill) * noise.x;
         detail.tone += height;
         detail.coarse += select(0.0, height, level < 22u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
