@@ -97,3 +97,24 @@ fn banks_shine_through_ten_metres_of_water() {
     assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
     assert!(bank[1] > 2.0 * deep[1], "{bank:?} {deep:?}");
 }
+
+/// Of the lowest rows the refracted sight meets the bed below the picture: the last row that is there must not be drawn out for it.
+#[test]
+fn a_bed_below_the_picture_is_no_streaks() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let link =
+        "#view=-22.99,-43.185,60,300,80&clouds=0&wind=2@150&layers=-foam&quality=medium&time=2026-02-10T14:00:00Z";
+    let (width, height) = (320, 180);
+    let values =
+        render::measure(&mut renderer, &render::parse_state(link).unwrap(), [320, 180], LayerName::Luminance).unwrap();
+    // Seagrass on sand; how much changes from a row to the next.
+    let change = |rows: std::ops::Range<usize>| {
+        let at = rows.clone().flat_map(|row| row * width..row * width + width / 2);
+        let sum: f64 = at.map(|at| (values.values[at + width] - values.values[at]).abs()).sum();
+        sum / rows.len() as f64
+    };
+    let [lowest, above] = [height - 6..height - 1, height - 40..height - 20].map(change);
+    println!("from row to row {:.3} of what it is above", lowest / above);
+    // Where it is mirrored it turns: there half is left. Drawn out, a quarter is, by the waves on the water.
+    assert!(lowest > 0.38 * above, "{lowest} for {above}");
+}
