@@ -264,9 +264,16 @@ impl Renderer {
         let radiance = texture::view(&targets.radiance);
         if self.visible.is_none() {
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            // Beside the air the sky is black; where a clear colour shall tell what is not drawn, and where something is measured, it is drawn.
+            let area = Some(frame.sky_area).filter(|_| self.clear.is_none() && frame.has_light());
+            let clear = if area.is_some() { wgpu::Color::BLACK } else { clear };
             let mut pass = begin(encoder, "globe", &radiance, clear, depth);
             self.globe.draw(&mut pass, ground_kind, ground_groups);
+            if let Some([x, y, width, height]) = area {
+                pass.set_scissor_rect(x, y, width, height);
+            }
             self.sky.draw(&mut pass, kind, frame_group, surface);
+            pass.set_scissor_rect(0, 0, frame.size[0], frame.size[1]);
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
         } else if kind.measured || !kind.under_water {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));

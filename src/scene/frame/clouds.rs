@@ -1,13 +1,12 @@
 //! Clouds as an eye sees them.
 
-use std::f64::consts::TAU;
-
 use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::earth::WGS84;
 use crate::model::overcast;
 use crate::scene::frame::exposure::into_sun;
+use crate::scene::frame::rim;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
 use crate::scene::settings::{Quality, Settings};
@@ -25,12 +24,6 @@ pub struct Clouds {
     /// Nodes across and down of the net over the picture at which their light is known (`shaders/lib/cloud_light.wgsl`).
     pub net: [u32; 2],
 }
-
-/// How much farther than the mean sphere's the area reaches, radians: the ellipsoid's flattening, and that the vertical is not the way
-/// to the earth's middle.
-const MARGIN: f64 = 0.012;
-/// Directions along the rim of the clouds that are looked at: between two of them it bends by less than a pixel of any picture.
-const RIM: u32 = 256;
 
 /// Pixels from a node of the net to the next.
 const NODE_PIXELS: u32 = 3;
@@ -100,12 +93,10 @@ fn overcast_exposure(share: f64) -> f64 {
 /// The pixels that clouds may be seen in. Below their base that is the sky; above their top, what is nearer to the nadir than their own
 /// horizon.
 fn area(camera: &Camera, size: [u32; 2]) -> [u32; 4] {
-    let whole = [0, 0, size[0], size[1]];
     if camera.altitude_m < clouds::BASE_M {
         return above_horizon(camera, size);
     }
-    let dip = libm::acos(((WGS84.b + clouds::ICE_M) / (WGS84.b + camera.altitude_m)).min(1.0));
-    if dip < 2.0 * MARGIN { whole } else { within(camera, size, dip - MARGIN) }
+    rim::around(camera, size, clouds::ICE_M)
 }
 
 /// The rows whose pixels see anything above the horizon. A row is highest in its middle where it looks up, at its ends where it looks down.
@@ -117,32 +108,9 @@ fn above_horizon(camera: &Camera, size: [u32; 2]) -> [u32; 4] {
     let sees_sky = |row: &u32| {
         let middle = axes.forward + axes.up * half * (1.0 - 2.0 * (f64::from(*row) + 0.5) / height);
         let end = middle + axes.right * half * width / height;
-        (middle.normalize().z).max(end.normalize().z) > -libm::sin(dip) - MARGIN
+        (middle.normalize().z).max(end.normalize().z) > -libm::sin(dip) - rim::MARGIN
     };
     let first = (0..size[1]).find(sees_sky).unwrap_or(size[1]);
     let last = (first..size[1]).rev().find(sees_sky).map_or(first, |row| row + 1);
     [0, first, size[0], last - first]
-}
-
-/// The box around all pixels that look at least `dip` radians below level.
-fn within(camera: &Camera, size: [u32; 2], dip: f64) -> [u32; 4] {
-    let extent = DVec2::from(size.map(f64::from));
-    let axes = camera.basis_enu();
-    let half = libm::tan(FIELD_OF_VIEW_Y / 2.0);
-    let (sin, cos) = libm::sincos(dip);
-    let (mut least, mut greatest) = (extent, DVec2::ZERO);
-    for step in 0..RIM {
-        let (y, x) = libm::sincos(TAU * f64::from(step) / f64::from(RIM));
-        let direction = DVec3::new(cos * x, cos * y, -sin);
-        let ahead = axes.forward.dot(direction);
-        // Some of the rim is behind the eye: its picture has no end.
-        if ahead < 1e-3 {
-            return [0, 0, size[0], size[1]];
-        }
-        let across = DVec2::new(axes.right.dot(direction), -axes.up.dot(direction)) / (ahead * 2.0 * half) * extent.y;
-        let pixel = (0.5 * extent + across).clamp(DVec2::ZERO, extent);
-        (least, greatest) = (least.min(pixel), greatest.max(pixel));
-    }
-    let (first, beyond) = (least.floor().as_uvec2(), greatest.ceil().as_uvec2());
-    [first.x, first.y, beyond.x.saturating_sub(first.x), beyond.y.saturating_sub(first.y)]
 }

@@ -28,6 +28,7 @@ mod exposure;
 mod light;
 mod night;
 mod place;
+mod rim;
 pub mod uniform;
 mod water;
 mod wave_cells;
@@ -61,6 +62,8 @@ pub struct Frame {
     pub shows_city_lights: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
+    /// The pixels that show any of the sky but stars to an eye in space: left, top, width, height.
+    pub sky_area: [u32; 4],
     /// How much the picture may cost.
     pub quality: Quality,
     /// Where the bisected mesh shall be refined, when it is drawn.
@@ -159,6 +162,7 @@ impl Frame {
             shows_stars: light::stars_show(&uniform, settings),
             shows_city_lights: light::city_lights_show(&uniform, settings),
             clouds,
+            sky_area: rim::of_sky(&uniform, camera, size),
             quality: settings.quality,
             bisection,
             uniform,
