@@ -21,6 +21,7 @@ mod rivers;
 mod sheets;
 mod shore;
 mod shore_settings;
+mod space;
 mod swash;
 mod sweep;
 mod tone;
