@@ -27,6 +27,7 @@ const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
 const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
+const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
 const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
@@ -124,7 +125,7 @@ fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> Wa
         let seen = slopes_in(sea, rest, 0.0, footprint);
         normal = normalize(up - vec3f(seen.slope, 0.0));
         rough = seen.rough;
-        foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint, false), FINE);
+        foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint, 1, false), FINE);
     }
     return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
 }
@@ -143,7 +144,7 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let moved = rest + vec3f(down * swash.run, 0.0);
     let wrinkles = bed_noise(place + 0.7 * down * swash.run, 1.0, 71u).xy * shown(footprint, 1.0) + 0.5 * bed_noise(place + down * swash.run, 0.25, 72u).xy * shown(footprint, 0.25);
     let normal = normalize(up - vec3f(0.012 * wrinkles, 0.0));
-    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(4.0 * foam_coordinates(moved), 4.0 * footprint, false), FINE);
+    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(foam_coordinates(moved), footprint, SWASH_FINER, false), FINE);
     let sheen = saturate(swash.shines);
     // Water that runs has ripples; what it leaves is a mirror.
     let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));

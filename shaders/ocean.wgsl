@@ -152,7 +152,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var facets = MEAN_FACETS;
     if FOAM {
         var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
-        var seen = lace_at(foam_at, faced * footprint, FINE);
+        var seen = lace_at(foam_at, faced * footprint, 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
             if SURF { shares = max(shares, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint)); }

@@ -89,8 +89,8 @@ fn rafts(bubbles: Net, share: f32) -> f32 {
     return normal_share(above * inverseSqrt(1.0 - bubbles.kept + RAFT_EDGE * RAFT_EDGE)) / share;
 }
 
-// The lace at a place of the foam map's plane.
-fn lace_at(at: vec2f, footprint: Metres, fine: bool) -> Lace {
+// The lace at a place of the foam map's plane, `finer` times as small as on the open water, with relief of the same steepness.
+fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let wind = wave_cells[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
     let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
@@ -104,12 +104,12 @@ fn lace_at(at: vec2f, footprint: Metres, fine: bool) -> Lace {
         nets /= nets.x + nets.y + nets.z;
     }
     // Nets of 31 by 15, 4.4 by 2.2 and 81 by 40 m along the wind and across it, none of them turned like another; rows of 256 m, eight times as long along the wind.
-    let middle = net(vec2i(4, -1), vec2i(512, 256), bent, footprint);
-    let small = net(vec2i(7, 2), vec2i(128, 64), bent, footprint);
-    let coarse = net(vec2i(3, 1), vec2i(1024, 512), bent, footprint);
-    let rows = net(vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
+    let middle = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
+    let small = net(finer * vec2i(7, 2), vec2i(128, 64), bent, footprint);
+    let coarse = net(finer * vec2i(3, 1), vec2i(1024, 512), bent, footprint);
+    let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
     // And one of 1.57 m, for bubbles.
-    let bubbles = net(vec2i(5, -1), vec2i(32), bent, footprint);
+    let bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     let levels = vec4f(middle.level, small.level, coarse.level, rows.level);
     let kept = vec4f(middle.kept, small.kept, coarse.kept, rows.kept);
     // Squares of the weights, which sum to one.
@@ -130,8 +130,8 @@ fn lace_at(at: vec2f, footprint: Metres, fine: bool) -> Lace {
     // Rows have no shape of their own.
     return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), levels), dense),
         1.0 - vec3f(dot(of_foam, kept), dot(of_film, kept), dot(of_dense, kept)),
-        mat3x2f(middle.slope, small.slope, coarse.slope) * weights.xyz, vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
-        mat3x2f(middle.slope, small.slope, bubbles.slope) * BUMPS, crease);
+        mat3x2f(middle.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
+        mat3x2f(middle.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
 }
 
 // The lace where foam is drawn together by the folds of short waves, whose own level is normal, too: a share of its variance is theirs.

@@ -12,7 +12,7 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import lace
-struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, texels: f32, unused: vec2f }
+struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, texels: f32, finer: i32, coarse: u32 }
 struct Found { covered: f32, white: f32, mean_white: f32, open: f32, foam: f32, dense: f32, unused: vec2f }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<Found>;
@@ -23,7 +23,7 @@ fn foamy(@builtin(global_invocation_id) id: vec3u) {
     // Ways along the rows of the middle net's tile, which lies turned to the wind.
     let wind = wave_cells[0].wind;
     let way = frame.foam_levels[0].side * own.texels * inverseSqrt(17.0) * vec2f(4.0, 1.0);
-    let seen = lace_at(own.at + vec2f(wind.y * way.y - wind.x * way.x, -wind.y * way.x - wind.x * way.y), own.footprint, true);
+    let seen = lace_at(own.at + vec2f(wind.y * way.y - wind.x * way.x, -wind.y * way.x - wind.x * way.y), own.footprint, own.finer, own.coarse == 0u);
     let dense = dense_from(own.young);
     let foam = foam_of(own.share, dense, 1.0, seen, true);
     found[id.x] = Found(covered(excess(own.share, seen.level.x), seen.hidden.x), foam.white, mean_foam(own.share, dense, 1.0, true).white,
@@ -39,7 +39,10 @@ struct Asked {
     footprint: f32,
     /// Texels of the lace from there along the middle net's tile.
     texels: f32,
-    unused: [f32; 2],
+    /// How many times smaller the lace is.
+    finer: i32,
+    /// 1: as at `quality=low` and on beaches.
+    coarse: u32,
 }
 
 #[repr(C)]
@@ -66,14 +69,21 @@ struct Lace {
     groups: [wgpu::BindGroup; 2],
     kernel: Kernel<1>,
     places: Vec<[f32; 2]>,
+    wind: [f32; 2],
 }
 
 impl Lace {
     fn new(whitecaps: f32) -> Self {
+        Self::around_eye(whitecaps, [0; 2])
+    }
+
+    /// For an eye so many texels farther down the wind and across it.
+    fn around_eye(whitecaps: f32, moved: [i32; 2]) -> Self {
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
         let camera = Camera::from_degrees(10.0, -30.0, 10.0, 0.0, 0.0);
         let mut frame = Frame::new(&Settings::default(), &camera, 1.7e9, [64; 2]);
         frame.uniform.whitecaps = whitecaps;
+        frame.uniform.lace_texel = [0, 1].map(|axis| frame.uniform.lace_texel[axis] + moved[axis]);
         // As high as a gale's: dense foam lies in its widest masses.
         frame.uniform.wave_height = 6.0;
         // The lace alone is read of bind group 1, at its last binding.
@@ -91,7 +101,8 @@ impl Lace {
         // Over ten kilometres: hundreds of the rows' tiles, which are 256 m by 2 km.
         let place =
             |n| noise::bits(7, 5, n, 0).map(|bits| 10_000.0 * ((bits >> 40) as f32 / (1u32 << 24) as f32 - 0.5));
-        Self { gpu, groups, kernel, places: (0..POINTS).map(place).collect() }
+        let wind = [frame.wave_cells[0].wind.x, frame.wave_cells[0].wind.y];
+        Self { gpu, groups, kernel, places: (0..POINTS).map(place).collect(), wind }
     }
 
     fn found(&self, asked: impl Fn([f32; 2]) -> Asked) -> Vec<Found> {
@@ -103,7 +114,7 @@ impl Lace {
     /// What lies at all places, of foam that was born when it covered everything.
     fn aged(&self, share: f32, footprint: f32) -> Vec<Found> {
         let young = share.powf((foam::LIFETIME_S / foam::YOUNG_S) as f32);
-        self.found(|at| Asked { at, share, young, footprint, texels: 0.0, unused: [0.0; 2] })
+        self.found(|at| Asked { at, share, young, footprint, texels: 0.0, finer: 1, coarse: 0 })
     }
 
     /// Means over all places of what is covered and of the opacity, and what the opacity is where pixels hide the lace.
@@ -115,8 +126,9 @@ impl Lace {
 
     /// Correlations of the levels of all foam and of dense foam with those so many texels farther on.
     fn correlations(&self, texels: f32) -> [f64; 2] {
-        let levels =
-            |texels| self.found(|at| Asked { at, share: 0.1, young: 0.1, footprint: 0.02, texels, unused: [0.0; 2] });
+        let levels = |texels| {
+            self.found(|at| Asked { at, share: 0.1, young: 0.1, footprint: 0.02, texels, finer: 1, coarse: 0 })
+        };
         let (here, there) = (levels(0.0), levels(texels));
         [|f: &Found| f64::from(f.foam), |f: &Found| f64::from(f.dense)].map(|level| {
             let product = |a: &[Found], b: &[Found]| a.iter().zip(b).map(|(a, b)| level(a) * level(b)).sum::<f64>();
@@ -190,7 +202,7 @@ fn dense_foam_lies_in_masses_wider_than_the_lace() {
 fn creases_of_dense_foam_are_dark_but_take_no_light_from_the_whole() {
     let lace = Lace::new(BREEZE);
     for footprint in [0.01, 0.05, 0.25] {
-        let found = lace.found(|at| Asked { at, share: 0.7, young: 0.6, footprint, texels: 0.0, unused: [0.0; 2] });
+        let found = lace.found(|at| Asked { at, share: 0.7, young: 0.6, footprint, texels: 0.0, finer: 1, coarse: 0 });
         let white: f64 = found.iter().map(|f| f64::from(f.white)).sum();
         let mean = found.iter().map(|f| f64::from(f.white * f.open)).sum::<f64>() / white;
         let spread = found.iter().map(|f| f64::from(f.white) * (f64::from(f.open) - mean).powi(2)).sum::<f64>() / white;
@@ -200,5 +212,37 @@ fn creases_of_dense_foam_are_dark_but_take_no_light_from_the_whole() {
         if footprint < 0.02 {
             assert!(spread.sqrt() > 0.1, "flat: {}", spread.sqrt());
         }
+    }
+}
+
+#[test]
+fn the_lace_stays_in_its_place_when_the_eye_goes_on() {
+    // Texels of 0.25 m; beaches have a lace four times as small.
+    const MOVED: [i32; 2] = [371, -226];
+    const TEXEL_M: f32 = 0.25;
+    let (here, there) = (Lace::new(STORM), Lace::around_eye(STORM, MOVED));
+    let way = MOVED.map(|texels| TEXEL_M * texels as f32);
+    let [x, y] = here.wind;
+    // The way on the map, of one along the wind and across it.
+    let moved = [-x * way[0] + y * way[1], -y * way[0] - x * way[1]];
+    for (finer, coarse) in [(1, 0), (1, 1), (4, 1)] {
+        let ask = |lace: &Lace, from: [f32; 2]| {
+            lace.found(|at| Asked {
+                // Within 100 m, whose coordinates lose less than a hundred-thousandth of a texel.
+                at: [0, 1].map(|axis| 0.01 * at[axis] - from[axis]),
+                share: 0.3,
+                young: 0.1,
+                footprint: 0.02,
+                texels: 0.0,
+                finer,
+                coarse,
+            })
+        };
+        let (before, after) = (ask(&here, [0.0; 2]), ask(&there, moved));
+        let off = before.iter().zip(&after).map(|(a, b)| (a.foam - b.foam).abs()).fold(0.0, f32::max);
+        println!("{finer} times as small: levels change by {off}");
+        // A sampler knows places to a 256th of a texel, along which a level rises by one at most; weights of the four nets add up to two at most, and
+        // each of both looks errs. As much again for coordinates in 32 bits. The lace of another place is off by several.
+        assert!(off < 2.0 * 2.0 * 2.0 / 256.0 + 0.01, "{finer} times as small, coarse {coarse}: {off}");
     }
 }
