@@ -1,13 +1,12 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
 // `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `LAKES`, whether lakes may be so near
 // that their waves show, and `SWASH`, whether waves may run up it, of src/pass/land.rs.
-// Long, but one thing: whoever follows a pixel of the ground reads here where it lies, which water hides or covers it, and its light.
 #import ground
 #import lace
 #import waves
 #import spray
 #import surf
-#import swash
+#import beach
 #import output
 
 struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
@@ -26,10 +25,6 @@ const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
-const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
-const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
-const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
-const BEACH_KIND = 2.5;          // of the water that runs up beaches
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
@@ -98,8 +93,6 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 // Whether the ground stands in front of the sea, which the pixel's ray meets at `far_hit`, if it does.
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
-// What a pixel shows of the ground, and where.
-struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground }
 
 fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
@@ -128,30 +121,6 @@ fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> Wa
         foam = foam_of(share, usually_dense_from(share), 1.0, lace_at(foam_coordinates(rest), footprint, 1, false), FINE);
     }
     return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
-}
-
-// A beach that waves run up: `dry` is its radiance without them.
-fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, shore: vec4f, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
-    let x = select(-at.ground.ocean_shore, -1.0, at.ground.is_ocean | at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
-    let down = shore.zw / max(length(shore.zw), 1e-3);
-    let line = beside(at.point, at.sin_lat, down * max(x, 0.0));
-    let place = pattern_place(at.point, at.part);
-    let across = at.distance * frame.pixel_angle;
-    let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));
-    let swash = swash_at(line, place, x, shore.x, footprint, width);
-    let rest = surface_from_normal_delta(at.dn);
-    // Foam goes with the water that carries it.
-    let moved = rest + vec3f(down * swash.run, 0.0);
-    let wrinkles = bed_noise(place + 0.7 * down * swash.run, 1.0, 71u).xy * shown(footprint, 1.0) + 0.5 * bed_noise(place + down * swash.run, 0.25, 72u).xy * shown(footprint, 0.25);
-    let normal = normalize(up - vec3f(0.012 * wrinkles, 0.0));
-    let foam = foam_of(swash.foam, usually_dense_from(swash.foam), 0.0, lace_at(foam_coordinates(moved), footprint, SWASH_FINER, false), FINE);
-    let sheen = saturate(swash.shines);
-    // Water that runs has ripples; what it leaves is a mirror.
-    let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
-    let sand = dry * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
-    let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
-        Bed(dry, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
-    return mix(sand, film, sandy * max(sheen, swash.foam));
 }
 
 // Where a ray meets the ellipsoid.

@@ -22,6 +22,9 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
     return across / sqrt(max(abs(dot(direction, up)), 0.05));
 }
 
+// What a pixel shows of the ground, and where.
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground }
+
 // `sandy`: how much of a beach there may be, between cliffs and snow.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 

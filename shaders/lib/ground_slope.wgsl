@@ -20,21 +20,27 @@ fn texel_row(water: bool, square: u32, level: u32, columns: vec3u, row: u32, til
         texel(water, square, level, vec2u(columns.z, row), tile, page).x);
 }
 
-// The nine texels of a page around a place, by rows, and where in the middle one it is, from -1/2 to 1/2.
-struct Neighbours { rows: mat3x3f, t: vec2f }
+// Where the nine texels of a page around a place are, its tile, and where in the middle one it is, from -1/2 to 1/2.
+struct NineTexels { columns: vec3u, rows: vec3u, tile: vec2u, t: vec2f }
 
-fn neighbours(water: bool, point: MapPoint, page: Page) -> Neighbours {
+fn nine_texels(point: MapPoint, page: Page) -> NineTexels {
     let shift = 24u - page.level;
-    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
     let mask = vec2u((TILE_TEXELS << page.level) - 1u);
     let middle = point.at >> vec2u(shift);
     let first = (middle - 1u) & mask;
     let last = (middle + 1u) & mask;
     let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
-    let columns = vec3u(first.x, middle.x, last.x);
-    return Neighbours(mat3x3f(texel_row(water, point.square, page.level, columns, first.y, tile, page),
-        texel_row(water, point.square, page.level, columns, middle.y, tile, page),
-        texel_row(water, point.square, page.level, columns, last.y, tile, page)), t);
+    return NineTexels(vec3u(first.x, middle.x, last.x), vec3u(first.y, middle.y, last.y), middle >> vec2u(TILE_BITS), t);
+}
+
+// What they hold, by rows, and where the place is.
+struct Neighbours { rows: mat3x3f, t: vec2f }
+
+fn neighbours(water: bool, point: MapPoint, page: Page) -> Neighbours {
+    let nine = nine_texels(point, page);
+    return Neighbours(mat3x3f(texel_row(water, point.square, page.level, nine.columns, nine.rows.x, nine.tile, page),
+        texel_row(water, point.square, page.level, nine.columns, nine.rows.y, nine.tile, page),
+        texel_row(water, point.square, page.level, nine.columns, nine.rows.z, nine.tile, page)), nine.t);
 }
 
 // Rise of the terrain tiles' elevation right and down on the map, metres a texel of the page: that of a quadratic B-spline over them, which

@@ -31,19 +31,12 @@ fn imagery_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, p
 // Albedo as the tiles have it: a quadratic B-spline over nine texels, which shows no squares where texels are many pixels wide.
 fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     let page = pages_at(point, level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)))).imagery;
-    let shift = 24u - page.level;
-    let tile = (point.at >> vec2u(shift)) >> vec2u(TILE_BITS);
-    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
-    let middle = point.at >> vec2u(shift);
-    let first = (middle - 1u) & mask;
-    let last = (middle + 1u) & mask;
-    let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
-    let columns = vec3u(first.x, middle.x, last.x);
-    let along = spline(t.x);
-    let down = spline(t.y);
-    let value = down.x * imagery_row(point.square, page.level, columns, first.y, tile, page, along)
-        + down.y * imagery_row(point.square, page.level, columns, middle.y, tile, page, along)
-        + down.z * imagery_row(point.square, page.level, columns, last.y, tile, page, along);
+    let nine = nine_texels(point, page);
+    let along = spline(nine.t.x);
+    let down = spline(nine.t.y);
+    let value = down.x * imagery_row(point.square, page.level, nine.columns, nine.rows.x, nine.tile, page, along)
+        + down.y * imagery_row(point.square, page.level, nine.columns, nine.rows.y, nine.tile, page, along)
+        + down.z * imagery_row(point.square, page.level, nine.columns, nine.rows.z, nine.tile, page, along);
     return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
 }
 

@@ -13,7 +13,7 @@ macro_rules! libraries {
 /// Every shader library by name; `frame_memory` is declared in Rust.
 #[rustfmt::skip]
 pub const LIBRARY: &[(&str, &str)] = libraries![
-    "air", "air_coordinates", "atmosphere", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "caustic_map",
+    "air", "air_coordinates", "atmosphere", "beach", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "caustic_map",
     "cloud_layer", "cloud_light", "cloud_noise", "clouds",
     "cuboid", "domain", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "foam_light", "four_taps", "frame", "full_screen",
     "glow", "ground", "ground_colour", "ground_slope", "gusts", "hash", "held", "imagery", "lace", "lace_net", "light", "limb", "map", "no_glow", "noise", "normal",
