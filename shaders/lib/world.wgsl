@@ -70,7 +70,8 @@ fn texel(water: bool, square: u32, level: u32, index: vec2u, tile: vec2u, page: 
         own = page_of(pages[page_slot(square, level, own_tile)].x >> select(0u, 16u, water));
     }
     let at = (index >> vec2u(level - min(own.level, level))) & vec2u(TILE_TEXELS - 1u);
-    return page_texel(water, own, at) * select(1.0, exp2(f32(level) - f32(own.level)), water);
+    let found = page_texel(water, own, at);
+    return vec3f(found.xy * select(1.0, exp2(f32(level) - f32(own.level)), water), found.z);
 }
 
 // Four texels around a place, and where between them it is.

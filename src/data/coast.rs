@@ -85,6 +85,11 @@ impl Stream {
     /// All of them, great ones first.
     pub const ALL: [Self; 2] = [Self::River, Self::Tributary];
 
+    /// Its place among them.
+    pub fn index(self) -> usize {
+        self as usize - 1
+    }
+
     /// The name of the layer.
     pub fn name(self) -> &'static str {
         match self {

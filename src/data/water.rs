@@ -127,14 +127,21 @@ impl OwnShores {
                 let all = BLENDED_TO - BLENDED_FROM;
                 own[shore].signum() * (near + ((far - near) * share + all / 2) / all)
             });
-            packed(steps, marks(at))
+            // Whose shore is far the parent knows.
+            let is_far = own[1] < -BLENDED_FROM && quarter.is_by_river(at % TILE_TEXELS, at / TILE_TEXELS);
+            packed(steps, marks(at) | if is_far { BY_RIVER } else { 0 })
         };
         (0..self.steps.len()).map(texel).collect()
     }
 }
 
-/// The quarter of a parent's steps that a tile covers, with one texel around it. Beyond the parent's border they go on as they did.
-struct Quarter(Vec<[i32; 2]>);
+/// The quarter of a parent that a tile covers.
+struct Quarter {
+    /// Its steps, with one texel around it. Beyond the parent's border they go on as they did.
+    steps: Vec<[i32; 2]>,
+    /// Whether the nearest inland water is a river.
+    by_river: Vec<bool>,
+}
 
 impl Quarter {
     const SIDE: usize = TILE_TEXELS / 2 + 2;
@@ -151,7 +158,17 @@ impl Quarter {
             let before = steps(2 * inner_x - x, 2 * inner_y - y);
             quarter.push([0, 1].map(|shore| 2 * edge[shore] - before[shore]));
         }
-        Self(quarter)
+        let marks = |at: usize| {
+            let [x, y] = [corner[0] + (at % Self::SIDE) as i64, corner[1] + (at / Self::SIDE) as i64]
+                .map(|at| at.clamp(0, last));
+            unpacked(parent[(y * (last + 1) + x) as usize]).1 & BY_RIVER != 0
+        };
+        Self { steps: quarter, by_river: (0..Self::SIDE * Self::SIDE).map(marks).collect() }
+    }
+
+    /// The parent's mark of rivers at a texel of the tile.
+    fn is_by_river(&self, column: usize, row: usize) -> bool {
+        self.by_river[(row / 2 + 1) * Self::SIDE + column / 2 + 1]
     }
 
     /// The parent's distances at a texel of the tile, in steps of the tile.
@@ -160,7 +177,7 @@ impl Quarter {
         let [wx, wy] = [column, row].map(|at| if at % 2 == 0 { [1, 3] } else { [3, 1] });
         let mut sum = [0; 2];
         for (j, i) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let steps = self.0[(y + j) * Self::SIDE + x + i];
+            let steps = self.steps[(y + j) * Self::SIDE + x + i];
             sum = [0, 1].map(|shore| sum[shore] + wx[i] * wy[j] * steps[shore]);
         }
         sum.map(|sum| (sum + 4) >> 3)
@@ -210,6 +227,26 @@ mod tests {
                 let expected = d.min(SATURATION_TEXELS);
                 assert!((back.abs() - expected).abs() <= tolerance + 1e-12, "{d} {back}");
             }
+        }
+    }
+
+    #[test]
+    fn of_a_far_bank_the_parent_knows_that_it_is_a_rivers() {
+        // Dry land whose own shores are far, in a parent whose western half lies beside a river.
+        let texels = TILE_TEXELS * TILE_TEXELS;
+        let own = OwnShores {
+            steps: vec![[-SATURATION_STEPS; 2]; texels],
+            classes: vec![WaterClass::Land as u8; texels],
+            by_river: Vec::new(),
+        };
+        let west = |at: usize| at % TILE_TEXELS < TILE_TEXELS / 4;
+        let parent: Vec<_> = (0..texels).map(|at| packed([-900, -400], if west(at) { BY_RIVER } else { 0 })).collect();
+        let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 9, x: 10, y: 20 };
+        let found = own.within(id, Some(&parent));
+        for (at, texel) in found.into_iter().enumerate() {
+            let (steps, marks) = unpacked(texel);
+            assert_eq!(steps, [-1800, -800]);
+            assert_eq!(marks == BY_RIVER, at % TILE_TEXELS < TILE_TEXELS / 2, "{at}");
         }
     }
 }

@@ -13,7 +13,7 @@ use std::path::Path;
 
 /// The greatest rank of the data bank.
 const RANKS: u8 = 10;
-/// Levels from which on rivers are in the tiles: before, they cover a twelfth of a pixel.
+/// Levels from which on rivers are in the tiles: there they are a twelfth and an eighth of a texel wide.
 const FROM_LEVEL: [u8; Stream::ALL.len()] = [5, 7];
 
 /// A line in units of the whole map, see [`super::shorelines::BITS`].
@@ -25,7 +25,7 @@ pub struct Course {
 impl Course {
     /// Whether tiles of a level hold it; the deepest one's do, as all below are made of them.
     pub fn is_at(&self, z: u8, deepest: bool) -> bool {
-        deepest || z >= FROM_LEVEL[self.stream as usize - 1]
+        deepest || z >= FROM_LEVEL[self.stream.index()]
     }
 
     /// With fewer points, none of which left out is farther away than `tolerance` says.

@@ -23,10 +23,15 @@ const BEYOND: [f64; 2] = [1.1, 2.25];
 /// What the Gaussian has beyond that is added to the rest.
 const WHOLE: f64 = 1.15;
 
+/// Looks at texels for a tile's rivers, at most: a hostile tile shall not take seconds, and one of the world's takes a fiftieth.
+const MOST_LOOKS: usize = 1 << 27;
+
 type Place = [f64; 2];
 
 /// The rivers of a tile, texel by texel.
 pub(super) struct Rivers {
+    /// Texels that pieces may still look at.
+    left: usize,
     /// Of each kind that there is: squares of distances to the middle, texels.
     squares: [Option<Vec<f64>>; Stream::ALL.len()],
     /// Width of the ground that a texel of each row shows, metres.
@@ -44,14 +49,14 @@ impl Rivers {
             let is_any = rivers.iter().any(|river| river.stream == stream);
             is_any.then(|| vec![f64::INFINITY; TILE_TEXELS * TILE_TEXELS])
         };
-        Self { squares: Stream::ALL.map(none), texel_m: (0..TILE_TEXELS).map(texel_m).collect() }
+        Self { left: MOST_LOOKS, squares: Stream::ALL.map(none), texel_m: (0..TILE_TEXELS).map(texel_m).collect() }
     }
 
     /// Lays a piece of a river, in texels of the grid with its margin.
     pub(super) fn add(&mut self, stream: Stream, from: Place, to: Place) {
         let narrowest_m = self.texel_m[0].min(self.texel_m[TILE_TEXELS - 1]);
         let reach = REACH + 1.0 + 0.5 * stream.width_m() / narrowest_m;
-        let Some(squares) = &mut self.squares[stream as usize - 1] else { return };
+        let Some(squares) = &mut self.squares[stream.index()] else { return };
         let from = from.map(|x| x - MARGIN as f64);
         let way = [0, 1].map(|axis| to[axis] - MARGIN as f64 - from[axis]);
         let length = way[0] * way[0] + way[1] * way[1];
@@ -65,7 +70,10 @@ impl Rivers {
             let part = |y: f64| (y / way[1]).clamp(0.0, 1.0);
             let [a, b] = if way[1].abs() < 1e-9 { [0.0, 1.0] } else { [part(y - reach), part(y + reach)] };
             let (left, right) = (way[0] * a, way[0] * b);
-            for column in texels(from[0] + left.min(right) - reach, from[0] + left.max(right) + reach) {
+            let columns = texels(from[0] + left.min(right) - reach, from[0] + left.max(right) + reach);
+            let Some(looks) = self.left.checked_sub(columns.len()) else { return };
+            self.left = looks;
+            for column in columns {
                 let x = column as f64 + 0.5 - from[0];
                 let along = ((x * way[0] + y * way[1]) * inverse).clamp(0.0, 1.0);
                 let (x, y) = (x - along * way[0], y - along * way[1]);
@@ -84,7 +92,7 @@ impl Rivers {
     pub(super) fn texels(&self, at: usize) -> f64 {
         let texel_m = self.texel_m[at / TILE_TEXELS];
         let of = |stream: Stream| {
-            let square = self.squares[stream as usize - 1].as_ref().map_or(f64::INFINITY, |squares| squares[at]);
+            let square = self.squares[stream.index()].as_ref().map_or(f64::INFINITY, |squares| squares[at]);
             if square == f64::INFINITY { -square } else { signed(square.sqrt(), stream.width_m() / texel_m) }
         };
         Stream::ALL.map(of).into_iter().fold(f64::NEG_INFINITY, f64::max)
