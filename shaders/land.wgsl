@@ -97,14 +97,15 @@ fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 |
 fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
-    // Whoever has no shadows of clouds and measures nothing sees lakes by their triangles alone.
+    // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for
+    // the air before them.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     return Place(distance, dn, point, part, sin_lat, ground);
 }
 
 // A lake or a river with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
 // its normal alone.
-fn lake_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
+fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
     var sea = OPEN_SEA;
     if FINE { sea = local_water(at.point, OF_LAKE); }
     sea = on_river(sea, at.ground);
@@ -184,7 +185,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y);
     var radiance = lit.radiance;
     let inland = inland_share(ground, footprint);
-    if inland > 0.0 { radiance = mix(radiance, water_radiance(lake_surface(at, direction, up, footprint), light, clear), inland); }
+    if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }
     if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);

@@ -19,7 +19,6 @@ const THIN_ABOVE = 0.385;
 const THINS_FROM: Metres = 4000.0;
 const THINS_TO: Metres = 44000.0;
 const MIE_HEIGHT: Metres = 1200.0;
-const TOP: Metres = 100000.0;
 const SUN_IRRADIANCE = vec3f(1.0, 0.98, 0.95);           // the unit of radiance; colour of the extraterrestrial sun
 const PI = 3.141592653589793;
 

@@ -98,7 +98,9 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
             // Much grows where it is dark.
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
             let above = max(-dot(direction, up), LEAST_SINKING) * distance;
-            standing = plants(bent, green, -detail.coarse, 0.5 * (inland + FRAYED * detail.coarse), sight, sunlight, above, footprint);
+            let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
+            standing = plants(bent, green, -detail.coarse, open, sight, sunlight, above, footprint);
+            standing.shade = select(standing.shade, 0.0, is_bed);
             albedo = detailed_albedo(albedo, green, detail, standing.tone);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
@@ -120,7 +122,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
     if FINE && SHOWS_COVER && !is_bed {
-        albedo *= 1.0 + mix(1.5, 1.0, bare) * grain.tone;
+        albedo *= max(1.0 + mix(1.5, 1.0, bare) * grain.tone, 0.2);
         rises = mix(rises, grain.slope, bare);
     }
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);

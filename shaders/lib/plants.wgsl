@@ -93,7 +93,7 @@ fn domes(p: FinePoint, lattice: Lattice, share: f32, green: f32, sight_on_map: v
         let side = off - sight * height;
         found.tone += seen * kind * (tones.x + tones.y * height / (DOME * max(radius, 0.01)));
         found.cover += seen;
-        found.rise -= seen * side / max(max(DOME * radius, height), 0.01);
+        found.rise -= seen * side / max(DOME * radius, 0.01);
         // Leaves' place on the dome; blades stand.
         let place = aside + select(side + vec2f(0.7, -0.9) * height, vec2f(across * radius, 0.2 * height), is_grass);
         found.leaf = select(found.leaf, vec3f(place, sees), seen > 0.5);
@@ -142,7 +142,7 @@ fn plants(p: FinePoint, green: f32, fertile: f32, open: f32, sight: vec2f, sun: 
         let left = (1.0 - found.cover) * whole;
         found.tone += left * (own.tone - mean_tone);
         found.rise += left * own.rise;
-        found.shade += left * own.shade;
+        found.shade += (1.0 - found.shade) * left * own.shade;
         found.cover += left * own.cover;
         found.leaf = select(found.leaf, own.leaf, left * own.cover > 0.5);
         size++;

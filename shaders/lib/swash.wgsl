@@ -155,7 +155,8 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
     let line_place = pattern_place(line, vec2f(0.0));
     let now = f32(frame.clock) / 1048576.0;
     let blur = max(0.7 * width, 0.02);
-    let ragged = x + 0.9 * shown(sees, 2.0) * bed_noise(place, 2.0, 62u).z + 0.35 * shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z;
+    let small = shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z;
+    let ragged = x + 0.9 * shown(sees, 2.0) * bed_noise(place, 2.0, 62u).z + 0.35 * small;
     let crests = last_crests(&trains, omega, nothing);
     var sheet = Swash(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     var k = 0u;
@@ -194,7 +195,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
     let uneven = 1.0 + 0.5 * shown(sees, 16.0) * bed_noise(place, 16.0, 67u).z + 0.12 * shown(sees, 2.0) * bed_noise(place, 2.0, 68u).z;
     let band = x / max(farthest * uneven, 1e-3);
     let wider = 0.5 * blur / max(farthest, 0.1);
-    let damp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z);
+    let damp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * small);
     // Weed and shells lie where the highest waves have turned, in heaps and with gaps.
     let heaped = bed_noise(place, 8.0, 69u).z * shown(sees, 8.0) + bed_noise(place, 0.5, 70u).z * shown(sees, 0.5) + 0.7 * bed_noise(place, 0.125, 71u).z * shown(sees, 0.125);
     let from_line = (band - 1.25) * farthest / (0.5 + width);

@@ -13,8 +13,8 @@ use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 pub const MARGIN: f64 = 0.012;
 /// Directions along a rim that are looked at: between two of them it bends by less than a pixel of any picture.
 const RIM: u32 = 256;
-/// How high the air is, metres; as `TOP` of `shaders/lib/atmosphere.wgsl`.
-const AIR_M: f64 = 100_000.0;
+/// How high the air is, metres: `TOP` of the shaders.
+pub const AIR_M: f64 = 100_000.0;
 /// How far from its middle the disc of sun or moon may show, radians, with a margin.
 const DISC: f64 = 0.01;
 

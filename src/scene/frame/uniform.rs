@@ -44,6 +44,7 @@ pub fn shared_constants() -> String {
         ("LAKE_RISE", lakes::SHORE_RISES[0]),
         ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
+        ("TOP", super::rim::AIR_M),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),
         ("SURF_SEEN", super::SURF_SEEN_M),

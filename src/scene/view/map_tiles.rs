@@ -45,7 +45,7 @@ const ISLAND_INLAND_M: f64 = 1_000.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
-/// picture; as in `shaders/lib/rugged.wgsl`.
+/// picture; as in `shaders/lib/rugged.wgsl` and `shaders/land.wgsl`.
 const CELL_PIXELS: f64 = 8.0;
 
 /// A tile of the ground to draw.
@@ -190,6 +190,7 @@ pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<T
         shows: visibility.sees(b, [-RELIEF_M, RELIEF_M]),
         divisible: id.z < deepest_tiles(&Layer::ALL, id.projection, tiles),
         finer: 1.0,
+        most: MOST_TILES,
         ground_m: 0.0,
     })
 }
@@ -227,7 +228,7 @@ pub fn drawn_tiles(
         // Where no cell is narrow enough for any of the relief the data alone shape the mesh.
         let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
         let Some(range_m) = rugged_m(id, tiles).filter(|range_m| is_held && *range_m >= RUGGED_M) else {
-            return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, ground_m: 0.0 };
+            return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, most: MOST_TILES, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
         let finer = if range_m > STEEP_M {
@@ -237,7 +238,8 @@ pub fn drawn_tiles(
         } else {
             0.5
         };
-        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, ground_m }
+        let most = if finer > 1.0 { MOST_RUGGED } else { MOST_TILES };
+        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, most, ground_m }
     });
     ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
 }
@@ -250,6 +252,8 @@ struct Judged {
     divisible: bool,
     /// How many times finer than usual it shall be.
     finer: f64,
+    /// So many tiles there may be when it is refined.
+    most: usize,
     /// How high its ground is, metres; 0 where that does not matter.
     ground_m: f64,
 }
@@ -266,7 +270,7 @@ fn refined(
     while let Some(id) = open.pop_front() {
         let b = bounds(id);
         let centre_m = b.centre.distance(visibility.eye);
-        let Judged { shows, divisible, finer, ground_m } = judge(id, centre_m + b.radius, &visibility, &b);
+        let Judged { shows, divisible, finer, most, ground_m } = judge(id, centre_m + b.radius, &visibility, &b);
         if !shows || !serves(id, &b) {
             continue;
         }
@@ -279,7 +283,7 @@ fn refined(
         };
         let distance = (to_ground_m - b.radius).max(over_m).max(NEAREST_M);
         let fine = finer * texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
-        let room = chosen.len() + open.len() < if finer > 1.0 { MOST_RUGGED } else { MOST_TILES };
+        let room = chosen.len() + open.len() < most;
         match id.children().filter(|_| !fine && divisible && room) {
             Some(children) => open.extend(children),
             None => chosen.push(id),
