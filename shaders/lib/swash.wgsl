@@ -4,8 +4,10 @@
 #import shore_trains
 #import bed_cover
 
-// R of all waves and what a wave adds that is as high as the significant height, of a sea `height` m high in deep water.
-fn run_up(height: Metres, omega: f32, beta: f32) -> vec2f {
+// R of all waves and what a wave adds that is as high as the significant height, of a sea `high` m high in deep water.
+fn run_up(high: Metres, omega: f32, beta: f32) -> vec2f {
+    // Between vertices without waves pixels whose middle lies beside their triangle have less than none.
+    let height = max(high, 0.0);
     let length = WHOLE_TURN * GRAVITY / (omega * omega);
     let root = sqrt(height * length);
     let setup = 1.1 * 0.35 * beta * root;
@@ -168,8 +170,9 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metre
         let relative = min(crests.heights[k] / max(height, 1e-3), 2.0);
         let s = sheet_of(tongue * (rises.x + relative * rises.y), beta);
         let t = age + 0.8 * broad;
-        let reach = 0.5 * s.speed * s.speed / s.slows;
-        let flight = 2.0 * s.speed / s.slows;
+        // Where nothing comes in they are none: they divide.
+        let reach = max(0.5 * s.speed * s.speed / s.slows, 1e-3);
+        let flight = max(2.0 * s.speed / s.slows, 1e-3);
         let behind = front_of(s, t) - ragged;
         // The oldest goes by and by.
         let lasts = select(0.0, 1.0 - smoothstep(3.0, 3.8, age * omega / WHOLE_TURN), t > 0.0);

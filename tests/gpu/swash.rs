@@ -68,3 +68,14 @@ fn sheets_and_crests_are_those_of_the_model() {
     }
     assert!(compared > 300, "{compared}");
 }
+
+/// What a multisampled pixel has whose middle lies beside its triangle, between vertices where no waves come in.
+#[test]
+fn less_than_no_waves_run_up_nowhere() {
+    let asked = [-1e-3f32, -1e-9, 0.0].map(|height| [height, 8.0, 0.06, 3.3]);
+    for (asked, found) in asked.iter().zip(kernel::answers::<_, [f32; 12]>(SHEETS, &asked)) {
+        assert_eq!(found[..2], [0.0, 0.0], "run-up, {asked:?}");
+        assert_eq!(found[3], 0.0, "film, {asked:?}");
+        assert!(found.iter().all(|value| value.is_finite()), "{found:?}, {asked:?}");
+    }
+}
