@@ -3,6 +3,7 @@
 #import cloud_light
 
 const FINE = true;
+const CLOUDS = true;
 
 @group(2) @binding(0) var<storage, read_write> made: array<vec2u>;
 

@@ -60,7 +60,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ground = ground_at(point, sin_lat, max(across, 1.0));
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, rest, up); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }
     let ground_across = ground_footprint(across, direction, up);
     let lit = lit_ground(point, vec2f(0.0), sin_lat, up, direction, distance, ground, NO_RELIEF, ground_across, light, 0.0);
 

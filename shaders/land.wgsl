@@ -18,6 +18,7 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
+    @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec4f,                         // height of the waves that come in to it, and how far they run up; the way down to it, east and north
 }
 
@@ -84,7 +85,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec4f(height, run_up_reach(height), rise / max(length(rise), 1e-3));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shore);
+        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shadow_of_vertex(rest), shore);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -176,7 +177,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
 
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, direction * distance - max(ground.elevation, 0.0) * up, up); }
+    if CLOUDS {
+        light = clouded_daylight(clear, up, shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow));
+    }
     var made = NO_RELIEF;
     if RUGGED {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);

@@ -42,6 +42,7 @@ struct Vertex {
     @location(1) moved: vec3f,
     @location(2) height: f32,
     @location(4) incoming: f32,        // height of the waves that break on shores
+    @location(5) shadow: vec3f,        // of clouds, `shadow_of_vertex`
     @location(3) ahead: vec2f,         // the way to the water beyond, level, and how much higher that is; see `crest_light`
 }
 
@@ -50,7 +51,8 @@ fn vertex_at(place: Place) -> Vertex {
     if SURF {
         incoming = height_coming_in(local_sea(map_point(normal_delta(place.rest))), length(place.rest));
     }
-    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, beyond(place));
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, shadow_of_vertex(place.rest),
+        beyond(place));
 }
 
 @vertex
@@ -168,7 +170,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, rest, up); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow)); }
     let behind = scene_radiance(pixel);
     var bed = Bed(behind, 2.0 * depth);
     if FINE && alpha < OPAQUE_ALPHA {

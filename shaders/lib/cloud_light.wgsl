@@ -15,12 +15,15 @@ fn mirror_net_size() -> vec2u { return (cloud_net_size() - 2u) / MIRROR_NODES + 
 // Where a place on the ellipsoid is in a net: its node below and to the left, nodes in a row, and the way on to the next.
 struct InNet { first: u32, row: u32, f: vec2f }
 
-fn in_net(place: vec3f, size: vec2u) -> InNet {
-    let clip = frame.clip_from_local * vec4f(place, 1.0);
-    let device = clamp(clip.xy / max(clip.w, NEAR), vec2f(-1.0), vec2f(1.0));
-    let at = (0.5 * device + 0.5) * vec2f(size - 1u);
+fn in_net(device: vec2f, size: vec2u) -> InNet {
+    let at = (0.5 * clamp(device, vec2f(-1.0), vec2f(1.0)) + 0.5) * vec2f(size - 1u);
     let cell = min(vec2u(at), size - 2u);
     return InNet(cell.y * size.x + cell.x, size.x, at - vec2f(cell));
+}
+
+fn in_net_of(place: vec3f, size: vec2u) -> InNet {
+    let clip = frame.clip_from_local * vec4f(place, 1.0);
+    return in_net(clip.xy / max(clip.w, NEAR), size);
 }
 
 // Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them.
@@ -36,14 +39,26 @@ fn net_shadow(node: u32) -> vec3f {
     return vec3f(unpack2x16unorm(halves.x), unpack2x16unorm(halves.y).x);
 }
 
-// At a place on the ellipsoid.
-fn clouded_daylight(light: Daylight, place: vec3f, up: vec3f) -> Daylight {
-    let at = in_net(place, cloud_net_size());
-    let shadow = mix(
+// `Shadow` of clouds.wgsl.
+fn shadow_in(at: InNet) -> vec3f {
+    return mix(
         mix(net_shadow(at.first), net_shadow(at.first + 1u), at.f.x),
         mix(net_shadow(at.first + at.row), net_shadow(at.first + at.row + 1u), at.f.x), at.f.y);
-    return shaded(light, dot(frame.light, up), shadow);
 }
+
+// That at a place on the ellipsoid, of a vertex of a coarse picture: its cells are about as wide as the net's, pixels interpolate it.
+fn shadow_of_vertex(place: vec3f) -> vec3f {
+    if !CLOUDS || FINE { return vec3f(0.0); }
+    return shadow_in(in_net_of(place, cloud_net_size()));
+}
+
+// And of a pixel, given that of its vertices.
+fn shadow_of_pixel(place: vec3f, of_vertices: vec3f) -> vec3f {
+    if !FINE { return of_vertices; }
+    return shadow_in(in_net_of(place, cloud_net_size()));
+}
+
+fn clouded_daylight(light: Daylight, up: vec3f, shadow: vec3f) -> Daylight { return shaded(light, dot(frame.light, up), shadow); }
 
 // At the eye's foot.
 fn clouded_daylight_at_eye(light: Daylight) -> Daylight {
@@ -68,7 +83,7 @@ fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32,
     let cloudy = (0.35 * clear.sun * max(dot(frame.light, up), 0.0) + 0.8 * clear.sky) / PI;
     if !FINE { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
     let net = cloud_net_size();
-    let at = in_net(place, mirror_net_size());
+    let at = in_net_of(place, mirror_net_size());
     let first = net.x * net.y + 1u + at.first;
     let hidden = mix(
         mix(net_hidden(first), net_hidden(first + 1u), at.f.x),
