@@ -4,6 +4,7 @@
 
 const FINE = true;
 const CLOUDS = true;
+const MIRRORS_CLOUDS = true;
 
 @group(2) @binding(0) var<storage, read_write> made: array<vec2u>;
 

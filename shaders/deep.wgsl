@@ -10,6 +10,7 @@ struct Pixel {
     @location(1) @interpolate(flat) bed: vec3f,        // below the eye: its altitude, its slopes east and north
 }
 
+const MIRRORS_CLOUDS = FINE;
 const PLANE: Metres = 20.0;        // over which the slopes are taken
 const FARTHEST: Metres = 400.0;    // that any water lets an eye see
 

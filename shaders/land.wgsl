@@ -22,6 +22,7 @@ struct Vertex {
     @location(5) shore: vec4f,                         // height of the waves that come in to it, and how far they run up; the way down to it, east and north
 }
 
+const MIRRORS_CLOUDS = FINE;
 const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;

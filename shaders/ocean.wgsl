@@ -17,6 +17,7 @@
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;     // to an eye in the water: the map of caustics
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
+const MIRRORS_CLOUDS = FINE;
 const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies

@@ -223,7 +223,8 @@ impl Renderer {
         if let Some(clouds) = seen_clouds {
             self.cloud_map.prepare(&self.gpu, clouds.weather);
         }
-        self.cloud_light.prepare(seen_clouds.map(|clouds| (clouds.net, frame.is_fine())));
+        let mirrors_clouds = frame.is_fine() && self.visible.is_some();
+        self.cloud_light.prepare(seen_clouds.map(|clouds| (clouds.net, mirrors_clouds)));
         self.dispatches = self.air_table.dispatches()
             + self.cloud_map.dispatches()
             + self.cloud_light.dispatches()

@@ -6,7 +6,7 @@ const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidd
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
 
 // Numbers 0...1 in 16 bits each: three at each node, `Shadow` of clouds.wgsl, the last node for the eye's foot; then four at each of those for what
-// is mirrored, which a coarse picture has none of: what is hidden at each rise ahead.
+// is mirrored, which coarse pictures and those of the whole globe have none of: what is hidden at each rise ahead.
 @group(1) @binding(13) var<storage, read> cloud_net: array<vec2u>;
 
 fn cloud_net_size() -> vec2u { return vec2u(frame.cloud_net & 0xffffu, frame.cloud_net >> 16u); }
@@ -78,10 +78,11 @@ fn net_hidden(node: u32) -> vec4f {
 }
 
 // Radiance of the sky that rough water mirrors towards the sine `rise`, with the clouds that stand there; `clear`: daylight under no clouds;
-// `cover`: the share of clouds overhead, by which a coarse picture goes alone. Who imports this declares FINE (src/pass/kind.rs).
+// `cover`: the share of clouds overhead, by which pictures go alone that mirror no single clouds. Who imports this declares FINE and CLOUDS
+// (src/pass/kind.rs), and MIRRORS_CLOUDS.
 fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32, up: vec3f) -> vec3f {
     let cloudy = (0.35 * clear.sun * max(dot(frame.light, up), 0.0) + 0.8 * clear.sky) / PI;
-    if !FINE { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
+    if !MIRRORS_CLOUDS { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
     let net = cloud_net_size();
     let at = in_net_of(place, mirror_net_size());
     let first = net.x * net.y + 1u + at.first;

@@ -43,11 +43,11 @@ impl CloudLight {
     }
 
     /// Takes how many nodes across and down the next net has; `None`: it is not needed.
-    /// What is mirrored is for fine pictures alone.
+    /// What is mirrored is for fine pictures of a part of the globe alone.
     pub fn prepare(&mut self, size: Option<([u32; 2], bool)>) {
-        let nodes = |([across, down], fine): ([u32; 2], bool)| {
+        let nodes = |([across, down], mirrors): ([u32; 2], bool)| {
             let mirrored = [across, down].map(|side| (side - 2) / MIRROR_NODES + 2);
-            [across * down + 1, if fine { mirrored[0] * mirrored[1] } else { 0 }]
+            [across * down + 1, if mirrors { mirrored[0] * mirrored[1] } else { 0 }]
         };
         self.nodes = size.map_or([0; 2], nodes);
     }

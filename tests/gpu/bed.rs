@@ -10,6 +10,7 @@ use crate::kernel::Kernel;
 const KERNEL: &str = "#import water
 const FINE = true;
 const CLOUDS = false;
+const MIRRORS_CLOUDS = false;
 struct Asked { direction: vec3f, depth: f32, normal: vec3f, albedo: f32, kind: f32, way: f32, unused: vec2f }
 @group(0) @binding(0) var<storage, read> asked: array<Asked>;
 @group(0) @binding(1) var<storage, read_write> sights: array<vec4f>;

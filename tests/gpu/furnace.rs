@@ -16,6 +16,7 @@ use crate::kernel::{self, Kernel};
 const KERNEL: &str = "#import water
 const FINE = true;
 const CLOUDS = false;
+const MIRRORS_CLOUDS = false;
 struct Asked { to_eye: vec3f, rough: f32, normal: vec3f, white: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<vec4f>;

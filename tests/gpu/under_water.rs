@@ -12,6 +12,7 @@ use crate::kernel::{self, Kernel};
 const KERNEL: &str = "#import under_water
 const FINE = true;
 const CLOUDS = false;
+const MIRRORS_CLOUDS = false;
 struct Asked { direction: vec3f, kind: f32, distance: f32, radiance: f32, altitude: f32, unused: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> seen: array<vec4f>;
