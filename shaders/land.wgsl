@@ -28,6 +28,7 @@ const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
+const OWN_SHADOWS = FINE || RUGGED;     // of pixels: the cells of hills change while one comes near
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
 
 // What a place's fixed-point coordinate leaves out, of a unit.
@@ -86,7 +87,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec4f(height, run_up_reach(height), rise / max(length(rise), 1e-3));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shadow_of_vertex(rest), shore);
+        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shadow_of_vertex(rest, OWN_SHADOWS), shore);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -179,7 +180,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
     if CLOUDS {
-        light = clouded_daylight(clear, up, shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow));
+        light = clouded_daylight(clear, up, shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow, OWN_SHADOWS));
     }
     var made = NO_RELIEF;
     if RUGGED {

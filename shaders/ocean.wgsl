@@ -52,7 +52,7 @@ fn vertex_at(place: Place) -> Vertex {
     if SURF {
         incoming = height_coming_in(local_sea(map_point(normal_delta(place.rest))), length(place.rest));
     }
-    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, shadow_of_vertex(place.rest),
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, shadow_of_vertex(place.rest, FINE),
         beyond(place));
 }
 
@@ -171,7 +171,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow)); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow, FINE)); }
     let behind = scene_radiance(pixel);
     var bed = Bed(behind, 2.0 * depth);
     if FINE && alpha < OPAQUE_ALPHA {

@@ -46,15 +46,16 @@ fn shadow_in(at: InNet) -> vec3f {
         mix(net_shadow(at.first + at.row), net_shadow(at.first + at.row + 1u), at.f.x), at.f.y);
 }
 
-// That at a place on the ellipsoid, of a vertex of a coarse picture: its cells are about as wide as the net's, pixels interpolate it.
-fn shadow_of_vertex(place: vec3f) -> vec3f {
-    if !CLOUDS || FINE { return vec3f(0.0); }
+// That at a place on the ellipsoid, of a vertex whose pixels interpolate it: in coarse pictures cells are about as wide as the net's. `of_pixels`:
+// each of these has its own.
+fn shadow_of_vertex(place: vec3f, of_pixels: bool) -> vec3f {
+    if !CLOUDS || of_pixels { return vec3f(0.0); }
     return shadow_in(in_net_of(place, cloud_net_size()));
 }
 
 // And of a pixel, given that of its vertices.
-fn shadow_of_pixel(place: vec3f, of_vertices: vec3f) -> vec3f {
-    if !FINE { return of_vertices; }
+fn shadow_of_pixel(place: vec3f, of_vertices: vec3f, of_pixels: bool) -> vec3f {
+    if !of_pixels { return of_vertices; }
     return shadow_in(in_net_of(place, cloud_net_size()));
 }
 

@@ -102,6 +102,18 @@ const MOST_CELLS: u32 = 1024;
 /// Cells along the longer side of a picture, at least: the strip of them that stands on the horizon needs room at the picture's edges.
 const LEAST_CELLS: u32 = 80;
 
+/// Width of the nearest pixels, metres, from which on the sea's mesh is coarse in any picture: no wave shows, and pixels' own rays tell where
+/// the sea is.
+const COARSE_SEA_FROM_M: f64 = 200.0;
+
+/// And the ground's: no mountain is much higher.
+const COARSE_GROUND_FROM_M: f64 = 6_000.0;
+
+/// How wide a camera's nearest pixels are, m.
+fn nearest_pixel_m(uniform: &FrameUniform, camera: &Camera) -> f64 {
+    camera.altitude_m * f64::from(uniform.pixel_angle)
+}
+
 /// Pixels along a cell of the projected grid of a picture of `size` pixels.
 pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
     let wished = match quality {
@@ -133,7 +145,8 @@ impl Frame {
         water::set_sea(&mut uniform, settings, &sea);
         water::set_gusts(&mut uniform, settings.wind_from());
         let clouds = clouds::set_clouds(&mut uniform, settings, camera, unix_seconds, size);
-        uniform.cell_pixels = cell_pixels(settings.quality, size) as f32;
+        let is_coarse = nearest_pixel_m(&uniform, camera) > COARSE_SEA_FROM_M;
+        uniform.cell_pixels = cell_pixels(if is_coarse { Quality::Low } else { settings.quality }, size) as f32;
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
         uniform.wave_cell_count = count;
         // In a trough the eye may be below the ellipsoid and over the water.
@@ -177,7 +190,7 @@ impl Frame {
 
     /// How much wider than usual the cells of the ground's mesh are.
     pub fn wider_ground(&self) -> f64 {
-        if self.is_fine() { 1.0 } else { 2.0 }
+        if self.is_fine() && nearest_pixel_m(&self.uniform, &self.camera) < COARSE_GROUND_FROM_M { 1.0 } else { 2.0 }
     }
 
     /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
