@@ -36,7 +36,8 @@ fn heights(renderer: &mut Renderer, [lat, lon]: [f64; 2], altitude_m: f64, size:
 fn drawn_heights_in_a_lee_are_those_of_the_sample() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let mut seas = Seas::default();
-    for place in ["28.0,-16.8", "28.6,-16.45"] {
+    // Beside Tenerife, and behind an island that is alone within 1,000 km.
+    for place in ["28.0,-16.8", "28.6,-16.45", "-16.03,-5.83"] {
         let state = render::parse_state(&format!("#view={place},0.5,0,0{WEATHER}")).unwrap();
         let drawn = render::measure(&mut renderer, &state, [257, 257], LayerName::Height).unwrap().values;
         let eye = renderer.eye(&state, NOON);

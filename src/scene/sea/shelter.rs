@@ -24,7 +24,7 @@ use crate::model::sea_tables::SeaTables;
 use crate::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, LocalSea, RINGS};
 use crate::model::waves::CASCADES;
 pub use nodes::{LEAST_KNOWN, ON_LAND};
-use nodes::{Local, Node, between, found};
+use nodes::{Local, Node, between, finest, found};
 
 mod nodes;
 
@@ -300,14 +300,21 @@ fn reach_m(level: usize, y: f64) -> f64 {
     0.5 * SIDE as f64 / f64::from(BITS[level]).exp2() * EQUATOR_M * cos_lat(y)
 }
 
-/// Whether no node of a window has land in its way.
+/// Whether no node of a window has land in its way: by the tiles that its nodes look at, of which its corners lie in all, since coarse ones know
+/// no small island.
 fn is_open(shores: &mut ShoreDistances, window: &Window) -> Option<bool> {
     let [x, y] = window.middle.map(|at| f64::from(at) / 32f64.exp2());
     let reach = SIDE as f64 / f64::from(window.bits).exp2();
     // Distances are ground metres; towards the equator the window is wider.
     let widest = cos_lat((y - reach).clamp(0.0, 1.0)).max(cos_lat((y + reach).clamp(0.0, 1.0))).max(cos_lat(y));
-    let shore_m = shores.distances_m(1, (x, y))?[0];
-    Some(shore_m > 0.75 * reach * EQUATOR_M * widest + FARTHEST_M)
+    let away_m = 0.75 * reach * EQUATOR_M * widest + FARTHEST_M;
+    for (dx, dy) in [(0.0, 0.0), (-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)] {
+        let place = ((x + dx * reach).rem_euclid(1.0), (y + dy * reach).clamp(0.0, 1.0));
+        if shores.distances_m(finest(window.bits), place)?[0] <= away_m {
+            return Some(false);
+        }
+    }
+    Some(true)
 }
 
 /// Where a node is kept.

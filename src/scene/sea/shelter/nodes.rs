@@ -137,6 +137,11 @@ pub(super) fn between(
     Some((all > LEAST_KNOWN).then(|| sum.map(|sum| sum / all)))
 }
 
+/// The finest level of tiles that nodes look at, which are 2 to the power of `bits` around the map.
+pub(super) fn finest(bits: u32) -> u8 {
+    (bits - TILES_ABOVE) as u8
+}
+
 /// A node; `None` while a tile is on its way.
 pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut ShoreDistances) -> Option<Node> {
     let around = f64::from(BITS[level]).exp2();
@@ -146,7 +151,7 @@ pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut S
     if !(0.0..1.0).contains(&at.1) || cos_lat(at.1) < libm::cos(POLAR_LATITUDE_DEG.to_radians()) {
         return Some(open);
     }
-    let finest = (BITS[level] - TILES_ABOVE) as u8;
+    let finest = finest(BITS[level]);
     let apart_m = EQUATOR_M * cos_lat(at.1) / around;
     let distances_m = shores.distances_m(finest, at)?;
     let [ocean_m, lake_m] = distances_m;
