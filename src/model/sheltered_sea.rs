@@ -24,6 +24,9 @@ use super::sea_tables::SeaTables;
 use super::spectrum::{Directed, DirectionalSpectrum, Jonswap};
 use super::spreading::{Cos2s, DonelanBanner, Spreading};
 use super::waves::Cascade;
+use barrier::behind_barrier;
+
+mod barrier;
 
 /// Directions that an exposure is told for: number i is the bearing 15° i, clockwise from north. With half as many the lee of a wall is off
 /// by 0.08 of the wave height where its shadow begins, with these by 0.02.
@@ -153,7 +156,7 @@ impl LocalSea {
         let mut wind = [0.0; RINGS];
         let mut swell = 0.0;
         for (direction, exposure) in exposures.iter().enumerate() {
-            let exposure = exposure.unwrap_or(Exposure::OPEN);
+            let exposure = exposure.map_or(Exposure::OPEN, |exposure| behind_barrier(exposures, direction, exposure));
             let [of_wind, of_swell] = [0, 1].map(|part| self.weights[part][direction]);
             if of_wind > 0.0 {
                 let passed = exposure.passed(self.wavelengths_m[0]);

@@ -54,6 +54,26 @@ fn waves_behind_a_wall_are_as_high_as_diffraction_theory_has_them() {
     }
 }
 
+#[test]
+fn a_thin_wall_hides_as_much_as_a_thick_one() {
+    // Tiles tell of a place in a wall how far its nearer face is: 20 m at most, however far its end.
+    let tables = SeaTables::new(Sea::from_wind(15.0, 1, 1.0), 256);
+    let local = LocalSea::new(&tables, 0.0, f64::INFINITY);
+    for angle_deg in [-40.0f64, -20.0, 0.0, 20.0, 40.0] {
+        let (sin, cos) = angle_deg.to_radians().sin_cos();
+        let place = [-2_000.0 * sin, -2_000.0 * cos];
+        let thick: [Exposure; DIRECTIONS] = std::array::from_fn(|i| behind_wall(place, i));
+        let thin = std::array::from_fn(|i| {
+            let fetch_m = if thick[i].clearance < 0.0 { -place[1] / bearing(i).cos() } else { thick[i].fetch_m };
+            Some(Exposure { fetch_m, clearance: thick[i].clearance.max(-20.0 / fetch_m.sqrt()) })
+        });
+        let [thick, thin] = [thick.map(Some), thin].map(|exposures| local.gains(&exposures)[0]);
+        println!("{angle_deg} deg: {thin:.3} behind a thin wall, {thick:.3} behind a thick one");
+        // Its end is known to a part of the 15 degrees between two directions, and a length is the peak's.
+        assert!((thin - thick).abs() < 0.04, "{angle_deg}: {thin} {thick}");
+    }
+}
+
 /// Energy that a sea with these gains has, over the open sea's, by the rings that have gains.
 fn energy(tables: &SeaTables, gains: [f64; RINGS]) -> f64 {
     let spectrum = tables.sea.spectrum();
