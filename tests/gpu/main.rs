@@ -3,6 +3,7 @@
 mod accesses;
 mod air;
 mod bed;
+mod beside_shore;
 mod bisection;
 mod bloom;
 mod clouds;

@@ -1,20 +1,18 @@
 //! Waves by a shore as the drawing shaders have them, against the model in f64: the formulas of breakers, and the sum of the trains at places
 //! of real coasts.
 
-use std::time::{Duration, Instant};
-
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::data::tile::{MapPoint, Projection};
 use ocean_globe::data::world::World;
-use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::spectrum::DirectionalSpectrum;
+use ocean_globe::model::wave_trains::taken_m2;
 use ocean_globe::model::{GRAVITY, dispersion, surf};
-use ocean_globe::pass::shore_trains::ShoreTrains;
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::sea::shores::Shores;
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
-use crate::kernel::{self, Kernel};
+use crate::beside_shore::{Asker, made, places};
+use crate::kernel;
 
 const BREAKERS: &str = "#import breakers
 struct Found { first: vec4f, second: vec4f }
@@ -71,13 +69,15 @@ fn breakers_are_those_of_the_model() {
 const TRAINS: &str = "#import shore_trains
 struct Asked { at: vec2u, depth: f32, shore: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
-@group(2) @binding(1) var<storage, read_write> found: array<vec4f>;
+struct Told { waves: vec4f, left: vec4f }
+@group(2) @binding(1) var<storage, read_write> found: array<Told>;
 @compute @workgroup_size(64)
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
     let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.shore, 0.0, 0.0);
-    found[id.x] = vec4f(waves.rise, waves.slope, waves.share);
+    let left = left_by_trains(OPEN_SEA, waves.share);
+    found[id.x] = Told(vec4f(waves.rise, waves.slope, waves.share), vec4f(left.gains.xyz, left.height));
 }";
 
 #[repr(C)]
@@ -88,63 +88,17 @@ struct Asked {
     shore: f32,
 }
 
-/// The windows around a frame's eye, made from the bundled world.
-fn made(world: &mut World, frame: &Frame) -> Shores {
-    let (mut shores, start) = (Shores::default(), Instant::now());
-    while !shores.prepare(world, frame, (true, true), f64::INFINITY) {
-        world.poll();
-        assert!(start.elapsed() < Duration::from_secs(60), "the coast does not come");
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    shores
-}
-
-/// Places at sea about a camera, metres apart: latitude, longitude, depth, distance to the shore.
-fn places(world: &mut World, camera: &Camera, spread_m: f64) -> Vec<[f64; 4]> {
-    let mut places = Vec::new();
-    for (i, j) in (-12..12).flat_map(|i| (-12..12).map(move |j| (f64::from(i), f64::from(j)))) {
-        let lat = camera.lat + i * spread_m / 6.37e6;
-        let lon = camera.lon + j * spread_m / 6.37e6 / camera.lat.cos();
-        let place = world.sample_blocking(lat, lon).unwrap();
-        if let (Some(depth), Some(shore)) = (place.depth_m, place.shore_distance_m) {
-            places.push([lat, lon, depth, shore]);
-        }
-    }
-    places
-}
-
 #[test]
 fn trains_at_places_are_those_of_the_cpu() {
-    let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let mut world = World::open("www/data");
     let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
     let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
     let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
-    // Opens the archives.
-    let places = places(&mut world, &camera, 23.0);
+    // Opens the archives. Deeper water than there is has the trains give the waves back to the patches.
+    let mut places = places(&mut world, &camera, 23.0);
+    (0..).zip(&mut places).for_each(|(i, place)| place[2] *= [1.0, 2.0, 3.0][i % 3]);
+    let places = places;
     let shores = made(&mut world, &frame);
-    let mut trains = ShoreTrains::new(&gpu);
-    assert!(trains.prepare(&gpu, &shores, &frame), "windows of waves");
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None };
-    let storage = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Storage { read_only: true },
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
-    let surface = gpu
-        .device
-        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &[entry(15, storage)] });
-    let layouts = [kernel::frame_layout(&gpu), surface];
-    let kernel = Kernel::<1>::new(&gpu, &shader::composed(TRAINS, ""), "ask", &layouts.each_ref());
-    let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-    let buffer = wgpu::BindGroupEntry { binding: 15, resource: trains.buffer.as_entire_binding() };
-    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &layouts[1],
-        entries: &[buffer],
-    });
-    let groups = [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), group];
     let asked: Vec<_> = places
         .iter()
         .map(|&[lat, lon, depth, shore]| {
@@ -152,8 +106,11 @@ fn trains_at_places_are_those_of_the_cpu() {
             Asked { at: [point.u, point.v], depth: depth as f32, shore: shore as f32 }
         })
         .collect();
-    let [found] = kernel.run::<_, [f32; 4]>(&gpu, &groups.each_ref(), &asked);
-    let (mut seen, mut squares, mut heights) = (0, [0.0; 2], 0.0);
+    let found = Asker::new(TRAINS).found::<_, [f32; 8]>(&shores, &frame, &asked);
+    let (mut seen, mut squares, mut heights, mut shared) = (0, [0.0; 2], 0.0, 0);
+    let (spectrum, m0) = (frame.sea.sea.spectrum(), frame.sea.sea.hs_m.powi(2) / 16.0);
+    let of_patches: Vec<f64> =
+        frame.sea.cascades.iter().map(|patch| spectrum.variance_between(patch.k_min, patch.k_max)).collect();
     for (place, found) in places.iter().zip(&found) {
         let &[lat, lon, depth, shore] = place;
         let Some(wanted) = shores.waves_at((lat, lon), depth, shore, frame.ticks()) else {
@@ -161,6 +118,14 @@ fn trains_at_places_are_those_of_the_cpu() {
             continue;
         };
         assert!((f64::from(found[3]) - wanted.share).abs() < 1e-4, "{found:?} {wanted:?}");
+        // Whatever the share, what the trains have and what they leave of each patch is the sea; shoaling and lees come after.
+        let left: [f64; 4] = [found[4], found[5], found[6], 1.0].map(f64::from);
+        let energy = f64::from(found[3]) * taken_m2(&frame.sea)
+            + left.iter().zip(&of_patches).map(|(left, patch)| left * left * patch).sum::<f64>();
+        assert!((energy / m0 - 1.0).abs() < 0.01, "{energy} m² of {m0}, {found:?}");
+        assert!((1.0 - f64::from(found[7]).powi(2) - f64::from(found[3]) * taken_m2(&frame.sea) / m0).abs() < 0.01);
+        assert!((0..3).all(|patch| (left[patch] - wanted.patches[patch]).abs() < 1e-4), "{found:?} {wanted:?}");
+        shared += usize::from((0.05..0.95).contains(&found[3]));
         squares[0] += (f64::from(found[0]) - wanted.wave.rise).powi(2);
         squares[1] +=
             (f64::from(found[1]) - wanted.wave.slope[0]).powi(2) + (f64::from(found[2]) - wanted.wave.slope[1]).powi(2);
@@ -170,7 +135,7 @@ fn trains_at_places_are_those_of_the_cpu() {
     let [rise, slope] = squares.map(|square| (square / f64::from(seen)).sqrt());
     let height = (heights / f64::from(seen)).sqrt();
     println!("{seen} places, waves of {height:.3} m rms: off by {rise:.5} m and {slope:.5}");
-    assert!(seen > 150 && height > 0.1);
+    assert!(seen > 150 && height > 0.1 && shared > 30, "{shared} in both");
     // Phases of hundreds of radians in 32 bits, and the fronts of bores, which 1e-3 of a radian move by a centimetre.
     assert!(rise < 0.01 * height && slope < 0.01, "{rise} {slope}");
 }

@@ -1,7 +1,14 @@
 //! Swash as the land's shader has it, against the model in f64.
 
-use ocean_globe::model::swash::{Arriving, CRESTS, RunUp, Sheet, crests};
+use ocean_globe::data::tile::{MapPoint, Projection};
+use ocean_globe::data::world::World;
+use ocean_globe::model::swash::{Arriving, CRESTS, RunUp, Sheet, crests, foreshore};
+use ocean_globe::model::{GRAVITY, sea_bed};
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::settings::{Settings, Wind};
+use ocean_globe::scene::view::camera::Camera;
 
+use crate::beside_shore::{Asker, made, places};
 use crate::kernel;
 
 const SHEETS: &str = "#import swash
@@ -78,4 +85,58 @@ fn less_than_no_waves_run_up_nowhere() {
         assert_eq!(found[3], 0.0, "film, {asked:?}");
         assert!(found.iter().all(|value| value.is_finite()), "{found:?}, {asked:?}");
     }
+}
+
+const FRONTS: &str = "#import swash
+struct Asked { at: vec2u, x: f32, height: f32 }
+@group(2) @binding(0) var<storage, read> asked: array<Asked>;
+@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    found[id.x] = swash_at(MapPoint(MERCATOR, a.at), vec2f(0.0), a.x, a.height, 1.2, 0.02).covered;
+}";
+
+/// Fronts of the water on a beach by the trains that come to it, at instants 0.2 s apart: each runs up and back as a ball thrown up the slope.
+#[test]
+fn fronts_move_as_the_models_sheets_do() {
+    const STEP_S: f64 = 0.2;
+    const LAG: usize = 5;
+    let mut world = World::open("www/data");
+    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
+    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
+    let at_second = |second: f64| Frame::new(&settings, &camera, 1_782_039_600.0 + second, [64; 2]);
+    // The place that is nearest to the waterline.
+    let mut places = places(&mut world, &camera, 23.0);
+    places.sort_by(|a, b| a[3].abs().total_cmp(&b[3].abs()));
+    let point = MapPoint::on(Projection::Mercator, places[0][0], places[0][1]);
+    let shores = made(&mut world, &at_second(0.0));
+    let mut asker = Asker::new(FRONTS);
+    let xs: Vec<f32> = (1..260).map(|i| 0.04 * i as f32).collect();
+    let asked: Vec<[u32; 4]> = xs.iter().map(|x| [point.u, point.v, x.to_bits(), 2f32.to_bits()]).collect();
+    let fronts: Vec<f64> = (0..160)
+        .map(|instant| {
+            let covered: Vec<f32> = asker.found(&shores, &at_second(STEP_S * f64::from(instant)), &asked);
+            covered.iter().rposition(|covered| *covered > 0.5).map_or(0.0, |last| f64::from(xs[last]))
+        })
+        .collect();
+    let slows = GRAVITY * foreshore(sea_bed::USUAL_SLOPE);
+    // Over a second to either side, where the front is one wave's: a new one comes in with a jump, or overtakes the last with a kink.
+    let bends = fronts.windows(2 * LAG + 1).filter_map(|way| {
+        let is_one = way.windows(2).all(|pair| pair[1] > 0.0 && (pair[1] - pair[0]).abs() < 0.7);
+        let bend = way[0] - 2.0 * way[LAG] + way[2 * LAG];
+        (is_one && bend < 0.1).then_some(bend / (STEP_S * LAG as f64).powi(2))
+    });
+    let mut bends: Vec<f64> = bends.collect();
+    bends.sort_by(f64::total_cmp);
+    let (count, most) = (bends.len(), fronts.iter().copied().fold(0.0, f64::max));
+    assert!(count > 60 && most > 5.0, "{fronts:?}");
+    let median = bends[count / 2];
+    println!(
+        "fronts up to {most:.1} m slow down by {median:.3} m/s², in {count} of {} instants; the slope by {slows:.3}",
+        fronts.len()
+    );
+    // A crest's age runs within some hundredths of a second of the clock (`crests`), at 2 m/s: some hundredths of a metre in 0.77.
+    assert!((median / -slows - 1.0).abs() < 0.15, "{bends:?}");
 }
