@@ -1,5 +1,7 @@
 //! The science on its own: nothing here opens a file of the world or asks for a device.
 
+#[path = "../shared/battjes_janssen.rs"]
+mod battjes_janssen;
 mod beach;
 mod clouds;
 mod dispersion;

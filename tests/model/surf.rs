@@ -4,6 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use ocean_globe::model::{GRAVITY, dispersion, surf};
 
+use crate::battjes_janssen;
+
 #[test]
 fn breaking_depth_in_closed_form() {
     for period in [5.0, 8.0, 12.0, 16.0] {
@@ -81,32 +83,9 @@ fn decay_error(m: f64, period: f64, hrms0: f64) -> f64 {
         });
         (squares.sum::<f64>() / f64::from(count)).sqrt()
     };
-    let cg = |h: f64| dispersion::group_velocity(dispersion::wavenumber(omega, h), h);
-    let gamma = 0.5 + 0.4 * (33.0 * hrms0 * k_deep / TAU).tanh();
-    let (step, mut h) = (0.25, 12.0);
-    let mut square = (hrms0 * ks(h)).powi(2);
-    let (mut sum, mut count) = (0.0, 0.0);
-    let hs = 1.416 * hrms0;
-    while h > 0.5 * hs {
-        let k = dispersion::wavenumber(omega, h);
-        let highest = 0.88 / k * (gamma * k * h / 0.88).tanh();
-        let b2 = (square / (highest * highest)).min(0.999_999);
-        let (mut low, mut high) = (1e-12f64, 1.0 - 1e-12);
-        for _ in 0..60 {
-            let q = 0.5 * (low + high);
-            if (1.0 - q) / -q.ln() < b2 { low = q } else { high = q }
-        }
-        // dE cg/dx = -D with E = ρg Hrms²/8, D = ρg Qb Hm²/(4 T).
-        let flux = square * cg(h) - step * 2.0 * low * highest * highest / period;
-        h -= step * m;
-        square = flux / cg(h);
-        if h < 3.0 * hs {
-            let error = rms(h) / square.sqrt() - 1.0;
-            sum += error * error;
-            count += 1.0;
-        }
-    }
-    (sum / count).sqrt()
+    let found = battjes_janssen::heights(m, period, hrms0);
+    let errors = found.iter().map(|&[h, hrms]| (rms(h) / hrms - 1.0).powi(2));
+    (errors.sum::<f64>() / found.len() as f64).sqrt()
 }
 
 #[test]

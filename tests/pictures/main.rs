@@ -15,9 +15,11 @@ mod luminance;
 mod meshes;
 mod night;
 mod own_world;
+mod plane_beach;
 mod relief;
 mod ride;
 mod rivers;
+mod seams_of_a_beach;
 mod sheets;
 mod shore;
 mod shore_settings;
@@ -27,6 +29,14 @@ mod sweep;
 mod tone;
 mod under_water;
 mod views;
+mod wall;
 mod water_colour;
+mod waves_on_a_beach;
 mod window;
 mod world_in_view;
+
+#[path = "../shared/battjes_janssen.rs"]
+mod battjes_janssen;
+#[path = "../data/small_world.rs"]
+#[allow(dead_code, reason = "one world of several is used here")]
+mod small_world;
