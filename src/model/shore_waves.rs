@@ -16,6 +16,7 @@
 
 use super::GRAVITY;
 use super::dispersion::wavenumber;
+use super::sea_bed::smoothstep;
 
 /// π²/8, towards which the phase that a plane beach adds tends, over its slope.
 pub const ADDED: f64 = 1.233_700_550_136_169_7;
@@ -82,6 +83,35 @@ impl Bed {
     }
 }
 
+impl Bed {
+    /// How a train that travels to the unit vector `toward` in deep water comes to a node, if contours run along the shore as far as the open sea: its way
+    /// by Snell's law, and its energy over that in deep water, without shoaling. Waves that run along the shore or away from it have come another
+    /// way, and keep theirs.
+    fn arriving(&self, omega: f64, toward: [f64; 2], at: usize) -> ([f64; 2], f64) {
+        let n = self.side;
+        let rise = [(at % n, 1), (at / n, n)].map(|(place, stride)| {
+            let (before, after) = (usize::from(place > 0), usize::from(place + 1 < n));
+            (self.shore_m[at + after * stride] - self.shore_m[at - before * stride])
+                / ((before + after) as f64 * self.step_m[at / n])
+        });
+        let length = libm::hypot(rise[0], rise[1]);
+        // Beyond where a shore is known, and midway between two.
+        if !self.is_wet(at) || !(0.5..2.0).contains(&length) {
+            return (toward, 1.0);
+        }
+        let inward = rise.map(|rise| -rise / length);
+        let cos = (toward[0] * inward[0] + toward[1] * inward[1]).min(1.0);
+        let shorter = omega * omega / GRAVITY / self.wavenumber(omega, at);
+        let ratio = 1.0 + (shorter - 1.0) * smoothstep(0.0, 0.3, cos);
+        let along = [0, 1].map(|axis| ratio * (toward[axis] - cos * inward[axis]));
+        let cos_here = libm::sqrt((1.0 - along[0] * along[0] - along[1] * along[1]).max(0.0));
+        if cos <= 0.0 {
+            return (toward, 1.0);
+        }
+        ([0, 1].map(|axis| along[axis] + cos_here * inward[axis]), cos / cos_here.max(1e-6))
+    }
+}
+
 /// What a grid holds of one train.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arrivals {
@@ -112,7 +142,7 @@ impl Following {
             .map(|at| if bed.is_wet(at) { bed.wavenumber(omega, at) } else { omega * omega / GRAVITY })
             .collect();
         let (mut rest, mut is_seed) = (vec![f64::INFINITY; n * n], vec![false; n * n]);
-        // From the corner that the waves reach first, along both sides that meet there: as long as there, not turned yet.
+        // From the corner that the waves reach first, along both sides that meet there: as long as there, and turned as far.
         let (first_i, first_j) = (if toward[0] > 0.0 { 0 } else { n - 1 }, if toward[1] > 0.0 { 0 } else { n - 1 });
         let corner = first_j * n + first_i;
         for along in [true, false] {
@@ -121,8 +151,10 @@ impl Following {
             for step in 0..n {
                 let away = |first: usize| if first == 0 { step } else { n - 1 - step };
                 let at = if along { first_j * n + away(first_i) } else { away(first_j) * n + first_i };
-                let part = if along { toward[0].abs() } else { toward[1].abs() };
-                phase += if at == last { 0.0 } else { 0.5 * (k[at] + k[last]) * part * bed.step_m[at / n] };
+                let axis = usize::from(!along);
+                let part =
+                    |at: usize| k[at] * (bed.arriving(omega, toward, at).0[axis] * toward[axis].signum()).max(0.0);
+                phase += if at == last { 0.0 } else { 0.5 * (part(at) + part(last)) * bed.step_m[at / n] };
                 last = at;
                 if bed.is_wet(at) {
                     rest[at] = phase - regular(omega, bed.depth_m[at], bed.shore_m[at]);
@@ -193,7 +225,7 @@ impl Following {
         let mut found: Vec<Option<([f64; 2], f64)>> = vec![None; n * n];
         for (_, at) in order {
             if self.is_seed[at] {
-                found[at] = Some((self.toward, 1.0));
+                found[at] = Some(bed.arriving(self.omega, self.toward, at));
                 continue;
             }
             let mut way = [0.0; 2];

@@ -72,6 +72,30 @@ fn crests_turn_to_a_beach_as_snell_says() {
 }
 
 #[test]
+fn waves_come_into_a_window_as_they_have_turned_before_it() {
+    // A bed of 1 in 100, so that a window of 5 km begins in water half as deep as these waves feel.
+    let (side, step, slope, omega) = (80, 67.0, 0.01, TAU / 15.0);
+    let deep = 30f64.to_radians();
+    let shore_y = step * (side as f64 - 6.4);
+    let bed = bed(side, step, |_x, y| ((shore_y - y) * slope, shore_y - y));
+    let found = arrivals(&bed, omega, [deep.sin(), deep.cos()]);
+    for j in [0, 20, 50, 65] {
+        let at = j * side + side * 3 / 5;
+        let [east, south] = found.way[at];
+        let wanted = beach::refracted(omega, bed.depth_m[at], deep);
+        let (angle, size) = (east.atan2(south), east.hypot(south) / beach::refraction(deep, wanted));
+        println!(
+            "{:.1} m: {:.2}° for {:.2}°, {size:.3} of Kr",
+            bed.depth_m[at],
+            angle.to_degrees(),
+            wanted.to_degrees()
+        );
+        // The grid's, as above.
+        assert!((angle - wanted).to_degrees().abs() < 1.6 && (size - 1.0).abs() < 0.03, "{angle} {wanted} {size}");
+    }
+}
+
+#[test]
 fn waves_go_on_in_deep_water() {
     let bed = bed(64, 67.0, |_, _| (3000.0, 1e5));
     let omega = TAU / 8.0;
