@@ -84,7 +84,7 @@ fn vertex(in: Tile) -> Vertex {
         let rise = vec2f(ocean_shore_at(beside(point, raw_sin_lat, vec2f(way, 0.0)), sin_lat, spacing),
             ocean_shore_at(beside(point, raw_sin_lat, vec2f(0.0, way)), sin_lat, spacing)) - ground.ocean_shore;
         let height = height_coming_in(local_sea(point), length(rest));
-        shore = vec4f(height, run_up_reach(height), rise / max(length(rise), 1e-3));
+        shore = vec4f(height, run_up_reach(height, foreshore(ground.face)), rise / max(length(rise), 1e-3));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
         vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shadow_of_vertex(rest, OWN_SHADOWS), shore);

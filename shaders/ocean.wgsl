@@ -128,7 +128,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var sea = local_sea(point);
     var waves = NO_SHORE_WAVES;
     if SURF {
-        waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, distance, footprint);
+        waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, footprint);
         sea = left_by_trains(sea, waves.share);
     }
     var slopes = slopes_in(sea, rest, distance, footprint);

@@ -209,6 +209,10 @@ pub enum Stockdon2006 {}
 /// Shen, M. C. and Meyer, R. E. (1963), *Climb of a bore on a beach. Part 3. Run-up*, J. Fluid Mech. 16, 113–125: the sheet behind the front.
 pub enum Shen1963 {}
 
+/// Dean, R. G. (1991), *Equilibrium beach profiles: characteristics and applications*, J. Coastal Res. 7, 53–84: depth by the distance from the
+/// shore to the power of two thirds, with a planar beach at the waterline, and the scale A by the size of grains, after B. Moore (1982). No DOI.
+pub enum Dean1991 {}
+
 /// Sunamura, T. (1984), *Quantitative predictions of beach-face slopes*, Geol. Soc. Am. Bull. 95, 242–245: slope by the height and period of
 /// breakers and the size of grains.
 pub enum Sunamura1984 {}

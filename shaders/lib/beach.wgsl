@@ -17,7 +17,7 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let place = pattern_place(at.point, at.part);
     let across = at.distance * frame.pixel_angle;
     let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));
-    let swash = swash_at(line, place, x, shore.x, footprint, width);
+    let swash = swash_at(line, place, x, shore.x, foreshore(at.ground.face), footprint, width);
     let rest = surface_from_normal_delta(at.dn);
     // Foam goes with the water that carries it.
     let moved = rest + vec3f(down * swash.run, 0.0);

@@ -79,7 +79,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     var shaded = normal;
     var sand = SAND;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / BEACH);
-    var sandy = smoothstep(0.15, 0.09, length(terrain));
+    var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
     var grain = Grain(0.0, vec2f(0.0));
@@ -88,7 +88,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
         sandy *= 1.0 - snowy;
-        sand = mix(mix(SAND, ROCK, smoothstep(0.04, 0.12, length(terrain))), albedo, snowy);
+        sand = mix(mix(SAND, ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff)), albedo, snowy);
         if FINE {
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);

@@ -26,7 +26,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         sea = local_sea(point);
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
         if SURF {
-            let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, distance, spacing);
+            let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, spacing);
             sea = left_by_trains(sea, waves.share);
             rise = waves.rise;
         }

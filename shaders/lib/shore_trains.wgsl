@@ -69,17 +69,21 @@ fn in_window(place: Among, k: u32, train: u32) -> InWindow {
 // phase goes from the one's to the other's, like that of phasor noise: their sum would be as high as chance has it, for good.
 struct AllTrains { sum: Trains, found: f32 }
 
-fn trains_at(point: MapPoint, depth: Metres, shore: Metres, footprint: Metres) -> AllTrains {
+fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint: Metres) -> AllTrains {
     let place = among_windows(point);
     let is_alone = !any(place.beyond > vec2f(0.0));
     let h = max(depth, SHALLOWEST);
+    // Of the way to the shore, a plane beach's part and that of Dean's profile.
+    let plane = min(h / face, max(shore, 0.0));
+    let curved = max(shore, 0.0) - plane;
     var all = AllTrains(NO_TRAINS, 0.0);
     var t = 0u;
     loop {
         let about = bitcast<vec2f>(shore_words[1u + 2u * t]);
         let now = bitcast<f32>(shore_words[2u + 2u * t].x);
         let u = about.x * about.x * h / GRAVITY;
-        let regular = -max(shore, 0.0) / h * PHASE_ADDED * hyperbolic(2.0 * sqrt(u) / PHASE_ADDED);
+        let regular = -(plane * PHASE_ADDED * hyperbolic(2.0 * sqrt(u) / PHASE_ADDED)
+            + curved * 1.5 * PHASE_ADDED_BY_DEAN * (1.0 - exp(-u / PHASE_ADDED_BY_DEAN)) * inverseSqrt(u)) / h;
         var wave = vec2f(0.0);
         var way = vec2f(0.0);
         var energy = 0.0;
@@ -113,10 +117,13 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, footprint: Metres) -
     return all;
 }
 
+const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heights in deep water; as src/model/surf.rs
+
 // The waves of the trains where a footprint shows them.
-fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, distance: Metres, footprint: Metres) -> ShoreWaves {
+// `face`: the slope of the beach.
+fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, distance: Metres, footprint: Metres) -> ShoreWaves {
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
-    let all = trains_at(point, depth, shore, footprint);
+    let all = trains_at(point, depth, shore, face, footprint);
     let omega = bitcast<f32>(shore_words[0].x);
     let h = max(depth, SHALLOWEST);
     let k_deep = omega * omega / GRAVITY;
@@ -124,7 +131,12 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, distance: Metre
     let size = length(all.sum.z);
     let share = wanted * all.found;
     let deep = 2.0 * size * sqrt(wanted);
-    let slope = clamp(h / max(shore, 1.0), 0.01, 0.1);
+    let plane = min(h / face, max(shore, 0.0));
+    let curved = max(shore, 0.0) - plane;
+    let falls = h / max(plane + 1.5 * curved, 1.0);
+    // Where a wave of this height breaks; as of Dean's profile, whose slope goes with the inverse root of the depth.
+    let begun = min(h / (USUALLY_BREAKS * max(deep, 1e-6)), 1.0);
+    let slope = clamp(falls * pow(begun, 0.5 * curved / max(plane + curved, 1e-9)), 0.01, 0.1);
     let gamma = breaker_index(slope, deep, omega);
     let breaks = breaking_depth(deep, k_deep, gamma);
     let grown = deep * shoaling(y);

@@ -17,7 +17,8 @@ fn run_up(high: Metres, omega: f32, beta: f32) -> vec2f {
     return vec2f(setup, swash) * mix(SWASH_FLAT_RUNUP * root / whole, 1.0, steep);
 }
 
-fn foreshore() -> f32 { return min(SWASH_STEEPER * frame.shore.x, SWASH_STEEPEST); }
+// Of a beach whose ground rises by `face`.
+fn foreshore(face: f32) -> f32 { return min(face, SWASH_STEEPEST); }
 
 // The trains' frequency, or that of the wind's waves.
 fn mean_omega() -> f32 {
@@ -25,10 +26,10 @@ fn mean_omega() -> f32 {
     return select(WHOLE_TURN / frame.surf.x, about.x, about.y > 1.0);
 }
 
-// How far up the beach a fiftieth of the waves come.
-fn run_up_reach(height: Metres) -> Metres {
-    let rises = run_up(height, mean_omega(), foreshore());
-    return (rises.x + SWASH_FIFTIETH * rises.y) / foreshore();
+// How far up a beach of slope `beta` a fiftieth of the waves come.
+fn run_up_reach(height: Metres, beta: f32) -> Metres {
+    let rises = run_up(height, mean_omega(), beta);
+    return (rises.x + SWASH_FIFTIETH * rises.y) / beta;
 }
 
 // u₀ and gβ.
@@ -138,12 +139,11 @@ struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, wr
 const SWASH_WIDEST: Metres = 60.0;         // no sheet comes so far; ours
 const LULL = vec2f(0.02, 0.06);      // run-up of the fiftieth, m, below which there is none, and from which it is whole
 
-// `line`: the place on the waterline below the place, which is `x` m up the beach; `height`: of the waves that come in; `sees`: what is no
+// `line`: the place on the waterline below the place, which is `x` m up the beach; `height`: of the waves that come in; `beta`: its slope; `sees`: what is no
 // wider does not show; `width`: how wide a pixel is up the beach.
-fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, sees: Metres, width: Metres) -> Swash {
+fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, sees: Metres, width: Metres) -> Swash {
     let has_trains = bitcast<vec2f>(shore_words[0]).y > 1.0;
     let omega = mean_omega();
-    let beta = foreshore();
     let rises = run_up(height, omega, beta);
     let fiftieth = rises.x + SWASH_FIFTIETH * rises.y;
     let farthest = fiftieth / beta;

@@ -2,6 +2,7 @@
 // imagery is bound by lib/imagery.wgsl, for whom needs it.
 // A page names the finest resident tile over a place; a missing tile is its parent, magnified.
 #import map
+#import shore_shape
 
 const TILE_BITS = 8u;
 const TILE_TEXELS = 256u;
@@ -105,21 +106,11 @@ struct Ground {
     lake_shore: Metres,     // signed distance, positive in lakes and rivers
     shore_rise: vec2f,      // how the distance to the ocean's grows right and down on the map
     texel: Metres,          // of the tile that tells these
+    face: f32,              // slope of the beach where waves run up, or of what is there in its place
+    cliff: f32,             // 0 a beach, 1 a cliff or a front of ice
     is_ocean: bool,
     is_lake: bool,          // or a river
     by_river: bool,         // whether the nearest inland water is one
-}
-
-// Agrees with `shaped_on` in src/model/sea_bed.rs: a coarse elevation made to agree with a sharp coast.
-fn shaped_elevation(elevation: Metres, ocean_shore: Metres, resolution: Metres) -> Metres {
-    let d = abs(ocean_shore);
-    if ocean_shore > 0.0 {
-        let raw = max(-elevation, 0.0);
-        let depth = mix(min(raw, frame.shore.x * d), raw, smoothstep(0.0, resolution, d));
-        return -max(depth, min(frame.shore.x / 3.0 * d, mix(30.0, 4.0, smoothstep(0.7 * resolution, 1.3 * resolution, d))));
-    }
-    let risen = elevation * smoothstep(0.0, resolution / 3.0, d);
-    return select(risen, max(risen, min(0.01 * d, 2.0)), elevation >= 0.0);
 }
 
 // Metres on the ground per metre of the level-0 texel grid, at a point of a square.
@@ -144,8 +135,12 @@ fn ocean_shore_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Metres {
 
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let found = pages_at(point, level_for(point, footprint, cos_lat));
+    let level = level_for(point, footprint, cos_lat);
+    let found = pages_at(point, level);
     let terrain = bilinear(false, point, found.terrain);
+    let cells = texels_around(false, point, pages_at(point, min(level, grid_level())).terrain);
+    let grid = amid(TexelsAround(grid_value(cells.a.x), grid_value(cells.b.x), grid_value(cells.c.x), grid_value(cells.d.x), cells.f));
+    let coast = coast_of(grid, sin_lat);
     let water = texels_around(true, point, found.water);
     let shore_rise = vec2f(mix(water.b.x - water.a.x, water.d.x - water.c.x, water.f.y), mix(water.c.x - water.a.x, water.d.x - water.b.x, water.f.x));
     let texel = texel_metres(point, f32(found.water.level), sin_lat);
@@ -155,6 +150,6 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     if found.water.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(terrain.x, shores.x, frame.terrain_resolution), shores.x, shores.y, shore_rise, texel,
+    return Ground(shaped_elevation(terrain.x, coast, shores.x), shores.x, shores.y, shore_rise, texel, bed_steeper() * coast.m, coast.cliff,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, told.z > 0.5);
 }

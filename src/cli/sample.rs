@@ -90,9 +90,9 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     let height_m = |gains| serde_json::Value::from(tables.height_gain(gains) * tables.sea.hs_m);
     if let Some(depth_m) = sample.depth_m {
         let gains = gains(&mut world, &mut seas, Water::Ocean)?;
-        let shore = match sample.shore_distance_m.filter(|_| state.settings.quality != Quality::Low) {
+        let shore = match sample.shallows().filter(|_| state.settings.quality != Quality::Low) {
             None => None,
-            Some(shore_m) => {
+            Some(shallows) => {
                 let mut shores = Shores::default();
                 let start = Instant::now();
                 while !shores.prepare_at(&mut world, (&tables, state.settings.wind_from()), lat, lon) {
@@ -104,7 +104,7 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
                     }
                     std::thread::sleep(Duration::from_millis(1));
                 }
-                shores.waves_at((lat, lon), depth_m, shore_m, waves::ticks_from_unix(unix_seconds))
+                shores.waves_at((lat, lon), shallows, waves::ticks_from_unix(unix_seconds))
             }
         };
         let found = seas.sample_by_shore(&state.settings, (lat, lon), unix_seconds, depth_m, gains, shore);

@@ -13,7 +13,8 @@ use crate::model::earth;
 use crate::model::lakes::{self, Lake, RIVER_MARGIN_M};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
-use crate::model::sea_bed::shaped_on;
+use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
+use crate::model::shore_waves::Shallows;
 
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -31,6 +32,9 @@ pub struct Sample {
     /// Distance to the ocean's shore, metres, positive in the ocean. `None` where there is no water tile, and where it is
     /// more than eight texels of the coarsest tile (1,200 km at the equator, 100 km at the poles).
     pub shore_distance_m: Option<f64>,
+    /// Slope of the ocean's beaches there, by nature and the user's wish.
+    #[serde(skip)]
+    pub beach: f64,
     /// Distance to the nearest shore of a lake or a river, metres, positive in it; as above.
     pub lake_distance_m: Option<f64>,
     /// The lake that covers the ground, where it is one of the table (`model::lakes`): its surface is then the elevation.
@@ -41,6 +45,13 @@ pub struct Sample {
     pub water_level: Option<u8>,
 }
 
+impl Sample {
+    /// The ocean by its shore, if it is one.
+    pub fn shallows(&self) -> Option<Shallows> {
+        Some(Shallows { h: self.depth_m?, d: self.shore_distance_m?, m: self.beach })
+    }
+}
+
 /// What a sample needs to know about the terrain archive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Terrain {
@@ -48,7 +59,7 @@ pub struct Terrain {
     pub deepest: u8,
     /// The real resolution of its source, metres.
     pub resolution_m: f64,
-    /// How far the bed falls from shores at most, metres per metre.
+    /// How steeply the bed falls from shores, metres per metre, see [`shaped_on`].
     pub beach_slope: f64,
 }
 
@@ -84,6 +95,7 @@ pub fn sample(
             depth_m: (raw_m < 0.0).then_some(-raw_m),
             class,
             shore_distance_m: None,
+            beach: terrain.beach_slope,
             lake_distance_m: None,
             lake: None,
             terrain_level,
@@ -101,7 +113,8 @@ pub fn sample(
         _ if marks & ON_ISLAND != 0 => WaterClass::Island,
         _ => WaterClass::Land,
     };
-    let measured_m = shaped_on(raw_m, ocean_m, terrain.resolution_m, terrain.beach_slope);
+    let Some(grid) = map.grid(point, grid_level(terrain.resolution_m), terrain_level)? else { return Ok(None) };
+    let measured_m = shaped_on(raw_m, grid, ocean_m, [terrain.resolution_m, terrain.beach_slope], libm::sin(lat));
     let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let shaped = |lake: &Lake| {
         let margin_m = if by_river { lake.margin_m.min(RIVER_MARGIN_M) } else { lake.margin_m };
@@ -123,6 +136,7 @@ pub fn sample(
         depth_m: (class == WaterClass::Ocean).then_some(-elevation_m),
         class,
         shore_distance_m: map.known(ocean_m, lat),
+        beach: Coast::new(grid, terrain.resolution_m, libm::sin(lat)).beach(terrain.beach_slope),
         lake_distance_m: map.known(lake_m, lat),
         lake: lake.filter(|lake| class == WaterClass::Lake && elevation_m == lake.level_m).map(|lake| lake.name),
         terrain_level,
@@ -134,6 +148,13 @@ pub fn sample(
 fn texel_index(point: MapPoint, z: u8) -> usize {
     let (column, row) = point.texel(z);
     (row as usize % TILE_TEXELS) * TILE_TEXELS + column as usize % TILE_TEXELS
+}
+
+/// The first of the four texels around a place of the map, column and row, and how far the place is on to the next.
+fn cell(z: u8, (x, y): (f64, f64)) -> ((i64, i64), [f64; 2]) {
+    let side = texels_across(z);
+    let (gx, gy) = (x * side - 0.5, y * side - 0.5);
+    ((gx.floor() as i64, gy.floor() as i64), [gx - gx.floor(), gy - gy.floor()])
 }
 
 /// One map, looked at from one position on it.
@@ -157,6 +178,18 @@ impl Map<'_, '_> {
     /// The value at the position itself.
     fn value(&mut self, layer: Layer, z: u8) -> Result<Option<[f64; 2]>> {
         self.bilinear(layer, z, self.at)
+    }
+
+    /// What the terrain's tiles of a level have around the position, or those of `deepest`, which there are.
+    fn grid(&mut self, point: MapPoint, level: u8, deepest: u8) -> Result<Option<Grid>> {
+        let z = self.deepest(Layer::Terrain, point, level.min(deepest))?.map_or(deepest, |(z, _)| z);
+        let ((i, j), between) = cell(z, self.at);
+        let mut values = [0.0; 4];
+        for (value, (di, dj)) in values.iter_mut().zip([(0, 0), (1, 0), (0, 1), (1, 1)]) {
+            let Some([metres, _]) = self.texel(Layer::Terrain, z, i + di, j + dj)? else { return Ok(None) };
+            *value = metres;
+        }
+        Ok(Some(Grid::between(values, between)))
     }
 
     /// Signed distances to the shores of ocean and lakes, metres: from level `z`, and for what is farther than its texels can hold from
@@ -232,16 +265,13 @@ impl Map<'_, '_> {
         Ok((texels, place.map(|x| x - x.floor() - 0.5)))
     }
 
-    fn bilinear(&mut self, layer: Layer, z: u8, (x, y): (f64, f64)) -> Result<Option<[f64; 2]>> {
-        let side = texels_across(z);
-        let (gx, gy) = (x * side - 0.5, y * side - 0.5);
-        let (i, j) = (gx.floor(), gy.floor());
-        let (fx, fy) = (gx - i, gy - j);
+    fn bilinear(&mut self, layer: Layer, z: u8, at: (f64, f64)) -> Result<Option<[f64; 2]>> {
+        let ((i, j), [fx, fy]) = cell(z, at);
         let mut sum = [0.0; 2];
         for (di, dj, weight) in
             [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
         {
-            let Some(value) = self.texel(layer, z, i as i64 + di, j as i64 + dj)? else { return Ok(None) };
+            let Some(value) = self.texel(layer, z, i + di, j + dj)? else { return Ok(None) };
             sum = [sum[0] + weight * value[0], sum[1] + weight * value[1]];
         }
         Ok(Some(sum))

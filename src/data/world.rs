@@ -99,7 +99,7 @@ enum Event {
 /// The archives of a world: terrain, water and perhaps imagery, each for Mercator and the two poles.
 pub struct World {
     slots: Vec<Slot>,
-    /// How far the bed falls from shores at most, metres per metre.
+    /// How steeply the bed falls from shores, metres per metre.
     beach_slope: f64,
     /// Requests without an answer: how often each has been tried.
     pending: HashMap<Key, u32>,
@@ -278,7 +278,7 @@ impl World {
         self.slot(layer, projection).archive().map(|archive| deepest(archive))
     }
 
-    /// Sets how far the bed falls from shores at most, metres per metre, in samples to come.
+    /// Sets how steeply the bed falls from shores, metres per metre, in samples to come.
     pub fn set_beach_slope(&mut self, slope: f64) {
         self.beach_slope = slope;
     }

@@ -29,6 +29,7 @@ pub mod ragged_shore;
 pub mod relief;
 pub mod rough_water;
 pub mod rugged;
+pub mod sand;
 pub mod sea;
 pub mod sea_bed;
 pub mod sea_spectrum;

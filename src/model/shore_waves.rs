@@ -20,6 +20,8 @@ use super::sea_bed::smoothstep;
 
 /// π²/8, towards which the phase that a plane beach adds tends, over its slope.
 pub const ADDED: f64 = 1.233_700_550_136_169_7;
+/// Towards which the phase that Dean's profile adds tends, over 1.5 A^-1.5 √g/ω.
+pub const ADDED_BY_DEAN: f64 = 0.561_787;
 /// The shallowest water that waves are followed into, m.
 pub const SHALLOWEST_M: f64 = 0.05;
 /// Energy over the open sea's, at most: where rays meet, waves break, and so does this theory.
@@ -29,12 +31,45 @@ const ROUNDS: usize = 12;
 /// A round that changes no phase by more is the last, radians.
 const SETTLED: f64 = 1e-3;
 
-/// The part of the arrival phase that grows without bounds in its slope towards the shore, radians: over a plane bed, that of the waves
-/// there less that of deep water, within what is smooth. `h` and `d` are the depth and the distance to the shore, m.
-pub fn regular(omega: f64, h: f64, d: f64) -> f64 {
-    let (h, d) = (h.max(SHALLOWEST_M), d.max(0.0));
-    let root = 2.0 * libm::sqrt(omega * omega * h / GRAVITY) / ADDED;
-    -d / h * ADDED * libm::tanh(root)
+/// The water at a place by a shore.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shallows {
+    /// Depth, m.
+    pub h: f64,
+    /// Distance to the shore, m.
+    pub d: f64,
+    /// Slope of the beach.
+    pub m: f64,
+}
+
+impl Shallows {
+    /// Which parts of the distance are a plane beach's and Dean's profile's: d = h/m + (h/A)^1.5.
+    fn parts(self) -> [f64; 2] {
+        let plane = (self.h.max(SHALLOWEST_M) / self.m).min(self.d.max(0.0));
+        [plane, self.d.max(0.0) - plane]
+    }
+
+    /// Slope of the bed where the depth here is `over` of that there: Dean's profile has one that goes with the inverse root of the depth.
+    pub fn slope_where(self, over: f64) -> f64 {
+        let [plane, curved] = self.parts();
+        self.slope() * libm::pow(over, 0.5 * curved / (plane + curved).max(1e-9))
+    }
+
+    /// Slope of the bed there, as of that profile.
+    pub fn slope(self) -> f64 {
+        let [plane, curved] = self.parts();
+        self.h.max(SHALLOWEST_M) / (plane + 1.5 * curved).max(1.0)
+    }
+}
+
+/// The part of the arrival phase that grows without bounds in its slope towards the shore, radians: over the bed of
+/// [`Coast`](super::sea_bed::Coast), that of the waves there less that of deep water, within what is smooth.
+pub fn regular(omega: f64, place: Shallows) -> f64 {
+    let h = place.h.max(SHALLOWEST_M);
+    let ([plane, curved], u) = (place.parts(), omega * omega * h / GRAVITY);
+    let of_plane = ADDED * libm::tanh(2.0 * libm::sqrt(u) / ADDED);
+    let of_curved = 1.5 * ADDED_BY_DEAN * (1.0 - libm::exp(-u / ADDED_BY_DEAN)) / libm::sqrt(u);
+    -(plane * of_plane + curved * of_curved) / h
 }
 
 /// The sea's bed on a square grid; rows run from north to south, columns from west to east.
@@ -48,6 +83,8 @@ pub struct Bed {
     pub depth_m: Vec<f64>,
     /// Distance to the ocean's shore, m, positive in the ocean.
     pub shore_m: Vec<f64>,
+    /// Slope of the beach.
+    pub face: Vec<f64>,
 }
 
 impl Bed {
@@ -55,11 +92,15 @@ impl Bed {
         self.shore_m[at] > 0.0
     }
 
+    fn at(&self, at: usize) -> Shallows {
+        Shallows { h: self.depth_m[at], d: self.shore_m[at], m: self.face[at] }
+    }
+
     fn wavenumber(&self, omega: f64, at: usize) -> f64 {
         wavenumber(omega, self.depth_m[at].max(SHALLOWEST_M))
     }
 
-    /// ∇F of [`regular`] at a node, east and south: by differences, but near the shore from the distance alone, over a plane bed.
+    /// ∇F of [`regular`] at a node, east and south: by differences, but near the shore from the distance alone.
     fn regular_slope(&self, omega: f64, at: usize) -> [f64; 2] {
         let (n, step) = (self.side, self.step_m[at / self.side]);
         let (i, j) = (at % n, at / n);
@@ -70,13 +111,16 @@ impl Bed {
             .map(|sides| sides.iter().filter(|side| **side).count() as f64 * step);
         let (h, d) = (self.depth_m[at].max(SHALLOWEST_M), self.shore_m[at]);
         if d > 2.5 * step {
-            let found = |at: usize| regular(omega, self.depth_m[at], self.shore_m[at]);
+            let found = |at: usize| regular(omega, self.at(at));
             return [0, 1].map(|axis| (found(pairs[axis].1) - found(pairs[axis].0)) / width[axis]);
         }
         let k = omega * omega / GRAVITY;
         let root = libm::sqrt(k * h);
+        // dF/dh over dd/dh, of both parts.
         let falling = 1.0 / libm::cosh(2.0 * root / ADDED);
-        let slope = -k * falling * falling / root;
+        let [plane, curved] = self.at(at).parts();
+        let by_depth = plane * falling * falling + 1.5 * curved * libm::exp(-k * h / ADDED_BY_DEAN);
+        let slope = -k / root * by_depth / (plane + 1.5 * curved);
         let rise = [0, 1].map(|axis: usize| (self.shore_m[pairs[axis].1] - self.shore_m[pairs[axis].0]) / width[axis]);
         let length = libm::hypot(rise[0], rise[1]).max(0.3);
         rise.map(|rise| slope * rise / length)
@@ -157,7 +201,7 @@ impl Following {
                 phase += if at == last { 0.0 } else { 0.5 * (part(at) + part(last)) * bed.step_m[at / n] };
                 last = at;
                 if bed.is_wet(at) {
-                    rest[at] = phase - regular(omega, bed.depth_m[at], bed.shore_m[at]);
+                    rest[at] = phase - regular(omega, bed.at(at));
                     is_seed[at] = true;
                 }
             }
@@ -218,7 +262,7 @@ impl Following {
     /// Directions and energies, in the order in which the waves arrive, and what lies beyond the shores.
     pub fn finish(mut self, bed: &Bed) -> Arrivals {
         let n = bed.side;
-        let arrival = |at: usize| self.rest[at] + regular(self.omega, bed.depth_m[at], bed.shore_m[at]);
+        let arrival = |at: usize| self.rest[at] + regular(self.omega, bed.at(at));
         let mut order: Vec<(f64, usize)> =
             (0..n * n).filter(|&at| self.rest[at].is_finite()).map(|at| (arrival(at), at)).collect();
         order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));

@@ -7,6 +7,7 @@
 use super::GRAVITY;
 use super::dispersion::{shoaling, wavenumber};
 use super::sea_bed::smoothstep;
+use super::shore_waves::Shallows;
 
 /// How fast a broken wave loses what it has above a stable height, and that height over the depth
 /// ([Dally](crate::bibliography::Dally1985)'s κ and Γ).
@@ -18,6 +19,8 @@ pub const LEAST_INDEX: f64 = 0.45;
 /// r of the shape of a bore: a steep front and a long back.
 pub const BORE: f64 = 0.85;
 
+/// Depths in which waves usually break, over their heights in deep water; ours.
+const USUALLY_BREAKS: f64 = 1.4;
 /// Height of a wave over the depth in which it breaks, on a bed of slope `m`: six tenths of [Weggel](crate::bibliography::Weggel1972)'s, which
 /// is that of single waves on a level bed in the laboratory. The heights of a random sea are then those of
 /// [Battjes and Janssen](crate::bibliography::Battjes1978), within a tenth. `height` is the breaker's, m.
@@ -108,15 +111,16 @@ pub struct SurfWave {
 }
 
 impl TrainSum {
-    /// The water over a depth of `h` m, `shore` m from the shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
+    /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
     /// frequency.
-    pub fn wave(&self, omega: f64, h: f64, shore: f64, energy: f64) -> SurfWave {
-        let h = h.max(super::shore_waves::SHALLOWEST_M);
+    pub fn wave(&self, omega: f64, place: Shallows, energy: f64) -> SurfWave {
+        let h = place.h.max(super::shore_waves::SHALLOWEST_M);
         let k_deep = omega * omega / GRAVITY;
         let k = wavenumber(omega, h);
         let size = libm::hypot(self.z[0], self.z[1]);
         let deep = 2.0 * size * libm::sqrt(energy);
-        let m = (h / shore.max(1.0)).clamp(0.01, 0.1);
+        // Of the bed where a wave of this height breaks.
+        let m = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).clamp(0.01, 0.1);
         let gamma = breaker_index(m, deep, omega);
         let breaks = breaking_depth(deep.max(1e-6), k_deep, gamma);
         let grown = deep * shoaling(k, h);

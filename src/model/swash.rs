@@ -18,9 +18,6 @@
 use super::GRAVITY;
 use super::sea_bed::smoothstep;
 
-/// How much steeper a beach is where waves run up than the bed before it: [Sunamura's](crate::bibliography::Sunamura1984) slope of sand of
-/// 0.3 mm under waves of 1 m and 8 s is 0.079, the bed's usual one 0.03.
-pub const STEEPER: f64 = 2.6;
 /// A steeper shore is no beach, and no beach is steeper.
 pub const STEEPEST: f64 = 0.15;
 /// Crests that are looked for: no sheet lasts for longer than so many waves.
@@ -35,9 +32,9 @@ pub const FLAT: [f64; 2] = [0.25, 0.35];
 /// Run-up over √(H₀L₀) of flat beaches, that a fiftieth of the waves pass.
 pub const FLAT_RUNUP: f64 = 0.043;
 
-/// Slope of a beach where waves run up, before which the bed falls by `m`.
+/// Slope of a beach where waves run up, whose ground rises by `m` ([`Coast`](super::sea_bed::Coast)).
 pub fn foreshore(m: f64) -> f64 {
-    (STEEPER * m).min(STEEPEST)
+    m.min(STEEPEST)
 }
 
 /// How high waves run up a beach.

@@ -66,7 +66,7 @@ pub fn show(ui: &mut Ui, settings: &mut Settings, widgets: &mut Widgets) {
     surf.on_hover_text("How wide the white water before beaches is");
     let slope = slider(&mut settings.surf.beach_slope, 0.01..=0.3, 3).logarithmic(true).text("beaches fall");
     let slope = note(ui, widgets, "beachSlope", slope);
-    slope.on_hover_text("Metres of depth for a metre from the shore, where no data tell");
+    slope.on_hover_text("Of usual beaches, metres per metre where no data tell; all are as many times as steep");
     let mut by_height = settings.foam.rule == FoamRule::Height;
     let rule = ui.checkbox(&mut by_height, "foam on high water");
     widgets.note("foamByHeight", &rule);

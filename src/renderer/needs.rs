@@ -72,7 +72,7 @@ impl Renderer {
 
     /// The trains of waves of a shore at a place, where their windows are there.
     fn shore_waves(&self, place: &Sample, at: (f64, f64), ticks: u64) -> Option<ShoreWaves> {
-        self.shores.waves_at(at, place.depth_m?, place.shore_distance_m?, ticks)
+        self.shores.waves_at(at, place.shallows()?, ticks)
     }
 
     /// The eye that a state asks for, where it can be: a metre over the ground and the waves, or, for a negative altitude over

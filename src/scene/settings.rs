@@ -165,7 +165,7 @@ impl Water {
 pub struct Surf {
     /// Factor on the depth that waves break in, and so on the width of white water before a beach, 0 to 3; 0: no surf.
     pub width: f64,
-    /// How far the bed falls from a shore at most, metres per metre, 0.01 to 0.3, where elevations are too coarse to tell.
+    /// How steeply the bed falls from shores that usually do by 0.03, metres per metre, 0.01 to 0.3, where elevations are too coarse to tell.
     pub beach_slope: f64,
 }
 

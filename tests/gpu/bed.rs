@@ -1,11 +1,12 @@
-//! The bed through the water: where a sight meets it, and what is left of its light.
+//! The bed: its shape by a shore, where a sight through the water meets it, and what is left of its light.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::model::optics::{WATER_INDEX, fresnel};
+use ocean_globe::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
 
-use crate::kernel::Kernel;
+use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import water
 const FINE = true;
@@ -105,6 +106,87 @@ fn water_takes_its_part_of_the_beds_light() {
             let wanted = albedo * passes * down / std::f64::consts::PI;
             // Reflectances of diffuse light are rounded to a thousandth.
             assert!((f64::from(light[part]) / wanted - 1.0).abs() < 4e-3, "{asked:?} {part}: {} {wanted}", light[part]);
+        }
+    }
+}
+
+const SHAPE: &str = "#import shore_shape
+struct Asked { cells: vec4f, at: vec2f, elevation: f32, shore: f32, sin_lat: f32, unused: vec3f }
+struct Found { coast: vec4f, elevation: f32, level: f32 }
+@group(2) @binding(0) var<storage, read> asked: array<Asked>;
+@group(2) @binding(1) var<storage, read_write> found: array<Found>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    let c = a.cells;
+    let grid = mix(mix(grid_value(c.x), grid_value(c.y), a.at.x), mix(grid_value(c.z), grid_value(c.w), a.at.x), a.at.y);
+    let coast = coast_of(grid, a.sin_lat);
+    found[id.x] = Found(vec4f(coast.a, coast.m, coast.cliff, profile_depth(coast, abs(a.shore))), shaped_elevation(a.elevation, coast, a.shore), f32(grid_level()));
+}";
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Ground {
+    cells: [f32; 4],
+    at: [f32; 2],
+    elevation: f32,
+    shore: f32,
+    sin_lat: f32,
+    unused: [f32; 7],
+}
+
+#[test]
+fn shores_are_shaped_as_in_the_model() {
+    let mut asked = Vec::new();
+    // A shelf, low land, an island out of a deep sea, a fjord that the grid takes for land, a polder, a bank.
+    for cells in [
+        [-15f32, 2.0, -22.0, -1.0],
+        [-3.0, 4.0, 1.0, 8.0],
+        [-2_400.0, 310.0, -1_900.0, 720.0],
+        [640.0, 900.0, 350.0, 1_100.0],
+        [-4.0, -3.0, -1.0, 2.0],
+        [-4.0, -6.0, -3.0, -5.0],
+    ] {
+        for (at, sin_lat) in [([0.25, 0.5], 0.1), ([0.9, 0.1], 0.87), ([0.0, 1.0], -0.9), ([0.5, 0.5], -0.98)] {
+            let elevation = Grid::between(cells.map(f64::from), at.map(f64::from)).elevation_m as f32;
+            for shore in [0.01f32, 0.3, 2.0, 17.0, 140.0, 880.0, 1_700.0, 4_600.0, 9_200.0, 30_000.0] {
+                asked.extend([shore, -shore].map(|shore| Ground {
+                    cells,
+                    at,
+                    elevation,
+                    shore,
+                    sin_lat,
+                    unused: [0.0; 7],
+                }));
+            }
+        }
+    }
+    for (resolution_m, slope) in [(9_277.0, 0.03), (9_277.0, 0.1), (90.0, 0.03)] {
+        let found = kernel::answers_in::<_, [f32; 8]>(SHAPE, &asked, |frame| {
+            (frame.terrain_resolution, frame.shore.x) = (resolution_m as f32, slope as f32);
+        });
+        for (asked, found) in asked.iter().zip(&found) {
+            let grid = Grid::between(asked.cells.map(f64::from), asked.at.map(f64::from));
+            let (shore, sin_lat) = (f64::from(asked.shore), f64::from(asked.sin_lat));
+            let coast = Coast::new(grid, resolution_m, sin_lat);
+            let elevation = shaped_on(asked.elevation.into(), grid, shore, [resolution_m, slope], sin_lat);
+            let wanted = [
+                coast.a,
+                coast.m,
+                coast.cliff,
+                coast.profile_m(shore.abs()),
+                elevation,
+                grid_level(resolution_m).into(),
+            ];
+            for (what, (wanted, found)) in wanted.iter().zip(found).enumerate() {
+                // Powers in 32 bits lose some 1e-6 each, WGSL allows 2^-21 times the logarithm; the third step of Newton's leaves 4e-6.
+                let error = (f64::from(*found) - wanted).abs();
+                assert!(
+                    error <= 3e-5 * wanted.abs() + 2e-6,
+                    "{what}: {found} for {wanted}, {asked:?}, {resolution_m} m"
+                );
+            }
         }
     }
 }

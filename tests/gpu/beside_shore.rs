@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use bytemuck::Pod;
 use ocean_globe::data::world::World;
 use ocean_globe::gpu::{Gpu, shader};
+use ocean_globe::model::shore_waves::Shallows;
 use ocean_globe::pass::shore_trains::ShoreTrains;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::sea::shores::Shores;
@@ -23,16 +24,14 @@ pub fn made(world: &mut World, frame: &Frame) -> Shores {
     shores
 }
 
-/// Places at sea about a camera, metres apart: latitude, longitude, depth, distance to the shore.
-pub fn places(world: &mut World, camera: &Camera, spread_m: f64) -> Vec<[f64; 4]> {
+/// Places at sea about a camera, metres apart: latitude, longitude, the water.
+pub fn places(world: &mut World, camera: &Camera, spread_m: f64) -> Vec<(f64, f64, Shallows)> {
     let mut places = Vec::new();
     for (i, j) in (-12..12).flat_map(|i| (-12..12).map(move |j| (f64::from(i), f64::from(j)))) {
         let lat = camera.lat + i * spread_m / 6.37e6;
         let lon = camera.lon + j * spread_m / 6.37e6 / camera.lat.cos();
         let place = world.sample_blocking(lat, lon).unwrap();
-        if let (Some(depth), Some(shore)) = (place.depth_m, place.shore_distance_m) {
-            places.push([lat, lon, depth, shore]);
-        }
+        places.extend(place.shallows().map(|water| (lat, lon, water)));
     }
     places
 }

@@ -4,7 +4,7 @@ use bytemuck::Pod;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader};
 use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::frame::uniform::WaveCell;
+use ocean_globe::scene::frame::uniform::{FrameUniform, WaveCell};
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
 
@@ -84,10 +84,16 @@ pub fn frame_group(
 
 /// What a kernel with the entry `ask`, which reads `asked` and writes `found` of its group 2 and knows a frame as links have it, finds.
 pub fn answers<A: Pod, F: Pod>(source: &str, asked: &[A]) -> Vec<F> {
+    answers_in(source, asked, |_| {})
+}
+
+/// As [`answers`], with what `change` makes of the frame.
+pub fn answers_in<A: Pod, F: Pod>(source: &str, asked: &[A], change: impl FnOnce(&mut FrameUniform)) -> Vec<F> {
     let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let layouts = [frame_layout(&gpu), gpu.layout("unused", wgpu::ShaderStages::COMPUTE, &[])];
     let kernel = Kernel::<1>::new(&gpu, &shader::composed(source, ""), "ask", &layouts.each_ref());
-    let frame = Frame::new(&Settings::default(), &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64; 2]);
+    let mut frame = Frame::new(&Settings::default(), &Camera::from_degrees(0.0, 0.0, 10.0, 0.0, 0.0), 0.0, [64; 2]);
+    change(&mut frame.uniform);
     let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
     let groups = [frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), gpu.bind("unused", &layouts[1], &[])];
     let [found] = kernel.run::<_, F>(&gpu, &groups.each_ref(), asked);

@@ -4,6 +4,7 @@
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::data::tile::{MapPoint, Projection};
 use ocean_globe::data::world::World;
+use ocean_globe::model::shore_waves::Shallows;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 use ocean_globe::model::wave_trains::taken_m2;
 use ocean_globe::model::{GRAVITY, dispersion, surf};
@@ -67,7 +68,7 @@ fn breakers_are_those_of_the_model() {
 }
 
 const TRAINS: &str = "#import shore_trains
-struct Asked { at: vec2u, depth: f32, shore: f32 }
+struct Asked { at: vec2u, depth: f32, shore: f32, face: f32, unused: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 struct Told { waves: vec4f, left: vec4f }
 @group(2) @binding(1) var<storage, read_write> found: array<Told>;
@@ -75,7 +76,7 @@ struct Told { waves: vec4f, left: vec4f }
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.shore, 0.0, 0.0);
+    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.shore, a.face, 0.0, 0.0);
     let left = left_by_trains(OPEN_SEA, waves.share);
     found[id.x] = Told(vec4f(waves.rise, waves.slope, waves.share), vec4f(left.gains.xyz, left.height));
 }";
@@ -86,6 +87,8 @@ struct Asked {
     at: [u32; 2],
     depth: f32,
     shore: f32,
+    face: f32,
+    unused: f32,
 }
 
 #[test]
@@ -96,14 +99,15 @@ fn trains_at_places_are_those_of_the_cpu() {
     let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
     // Opens the archives. Deeper water than there is has the trains give the waves back to the patches.
     let mut places = places(&mut world, &camera, 23.0);
-    (0..).zip(&mut places).for_each(|(i, place)| place[2] *= [1.0, 2.0, 3.0][i % 3]);
+    (0..).zip(&mut places).for_each(|(i, place)| place.2.h *= [1.0, 3.0, 6.0][i % 3]);
     let places = places;
     let shores = made(&mut world, &frame);
     let asked: Vec<_> = places
         .iter()
-        .map(|&[lat, lon, depth, shore]| {
+        .map(|&(lat, lon, water)| {
             let point = MapPoint::on(Projection::Mercator, lat, lon);
-            Asked { at: [point.u, point.v], depth: depth as f32, shore: shore as f32 }
+            let [depth, shore, face] = [water.h, water.d, water.m].map(|x| x as f32);
+            Asked { at: [point.u, point.v], depth, shore, face, unused: 0.0 }
         })
         .collect();
     let found = Asker::new(TRAINS).found::<_, [f32; 8]>(&shores, &frame, &asked);
@@ -112,8 +116,8 @@ fn trains_at_places_are_those_of_the_cpu() {
     let of_patches: Vec<f64> =
         frame.sea.cascades.iter().map(|patch| spectrum.variance_between(patch.k_min, patch.k_max)).collect();
     for (place, found) in places.iter().zip(&found) {
-        let &[lat, lon, depth, shore] = place;
-        let Some(wanted) = shores.waves_at((lat, lon), depth, shore, frame.ticks()) else {
+        let &(lat, lon, water) = place;
+        let Some(wanted) = shores.waves_at((lat, lon), water, frame.ticks()) else {
             assert_eq!(found[3], 0.0, "{place:?}");
             continue;
         };
@@ -142,7 +146,7 @@ fn trains_at_places_are_those_of_the_cpu() {
 
 #[test]
 fn windows_of_waves_hand_over_their_energy() {
-    // Off the Dutch coast, across the edges of windows, over 40 instants: variance of the trains over what they have taken and shoaling makes of
+    // Off the Dutch coast, across the edges of windows, over 400 instants: variance of the trains over what they have taken and shoaling makes of
     // it, at places beside edges and away from them.
     let mut world = World::open("www/data");
     let camera = Camera::from_degrees(52.105, 4.235, 30.0, 0.0, 60.0);
@@ -153,19 +157,19 @@ fn windows_of_waves_hand_over_their_energy() {
     // Another eye finds the same waves where both see them.
     let other = Camera::from_degrees(52.099, 4.226, 300.0, 0.0, 60.0);
     let others = made(&mut world, &Frame::new(&settings, &other, 0.0, [64; 2]));
-    for [lat, lon, depth, shore] in &places {
-        let waves = [&shores, &others].map(|shores| shores.waves_at((*lat, *lon), *depth, *shore, frame.ticks()));
+    for (lat, lon, water) in &places {
+        let waves = [&shores, &others].map(|shores| shores.waves_at((*lat, *lon), *water, frame.ticks()));
         assert_eq!(waves[0], waves[1]);
     }
     let mut sums = [[0.0f64; 2]; 2];
-    for [lat, lon, _, shore] in places.into_iter().filter(|place| place[3] > 900.0 && place[3] < 2_300.0) {
+    for (lat, lon, water) in places.into_iter().filter(|place| place.2.d > 900.0 && place.2.d < 2_300.0) {
         let point = MapPoint::on(Projection::Mercator, lat, lon);
         let inside = [point.u, point.v].map(|at| f64::from(at << 13) / 4_294_967_296.0);
         let beside = usize::from(inside.iter().any(|at| (at - 0.5).abs() > 0.42));
-        for instant in 0..40 {
+        for instant in 0..400 {
             let ticks = frame.ticks() + instant * 7_340_033;
             // As deep everywhere, so that waves are as high: only their phases and their ways differ.
-            let Some(waves) = shores.waves_at((lat, lon), 8.0, shore, ticks) else { continue };
+            let Some(waves) = shores.waves_at((lat, lon), Shallows { h: 8.0, ..water }, ticks) else { continue };
             sums[beside][0] += waves.wave.rise * waves.wave.rise;
             sums[beside][1] += waves.share;
         }
@@ -176,6 +180,6 @@ fn windows_of_waves_hand_over_their_energy() {
         sums[0][1], sums[1][1]
     );
     assert!(sums[1][1] > 300.0, "edges were met");
-    // Thousands of samples each, of eight trains at forty instants; the trains' lees differ from place to place.
+    // Thousands of samples each, of eight trains at four hundred instants; the trains' lees differ from place to place.
     assert!((beside / away - 1.0).abs() < 0.03, "{beside} beside edges, {away} away from them");
 }

@@ -2,8 +2,8 @@
 
 use ocean_globe::data::tile::{MapPoint, Projection};
 use ocean_globe::data::world::World;
-use ocean_globe::model::swash::{Arriving, CRESTS, RunUp, Sheet, crests, foreshore};
-use ocean_globe::model::{GRAVITY, sea_bed};
+use ocean_globe::model::GRAVITY;
+use ocean_globe::model::swash::{Arriving, CRESTS, RunUp, Sheet, crests};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
@@ -95,7 +95,7 @@ struct Asked { at: vec2u, x: f32, height: f32 }
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    found[id.x] = swash_at(MapPoint(MERCATOR, a.at), vec2f(0.0), a.x, a.height, 1.2, 0.02).covered;
+    found[id.x] = swash_at(MapPoint(MERCATOR, a.at), vec2f(0.0), a.x, a.height, 0.06, 1.2, 0.02).covered;
 }";
 
 /// Fronts of the water on a beach by the trains that come to it, at instants 0.2 s apart: each runs up and back as a ball thrown up the slope.
@@ -103,14 +103,16 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
 fn fronts_move_as_the_models_sheets_do() {
     const STEP_S: f64 = 0.2;
     const LAG: usize = 5;
+    // Of the beach, as the shader is told.
+    const SLOPE: f64 = 0.06;
     let mut world = World::open("www/data");
     let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
     let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
     let at_second = |second: f64| Frame::new(&settings, &camera, 1_782_039_600.0 + second, [64; 2]);
     // The place that is nearest to the waterline.
     let mut places = places(&mut world, &camera, 23.0);
-    places.sort_by(|a, b| a[3].abs().total_cmp(&b[3].abs()));
-    let point = MapPoint::on(Projection::Mercator, places[0][0], places[0][1]);
+    places.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
+    let point = MapPoint::on(Projection::Mercator, places[0].0, places[0].1);
     let shores = made(&mut world, &at_second(0.0));
     let mut asker = Asker::new(FRONTS);
     let xs: Vec<f32> = (1..260).map(|i| 0.04 * i as f32).collect();
@@ -121,7 +123,7 @@ fn fronts_move_as_the_models_sheets_do() {
             covered.iter().rposition(|covered| *covered > 0.5).map_or(0.0, |last| f64::from(xs[last]))
         })
         .collect();
-    let slows = GRAVITY * foreshore(sea_bed::USUAL_SLOPE);
+    let slows = GRAVITY * SLOPE;
     // Over a second to either side, where the front is one wave's: a new one comes in with a jump, or overtakes the last with a kink.
     let bends = fronts.windows(2 * LAG + 1).filter_map(|way| {
         let is_one = way.windows(2).all(|pair| pair[1] > 0.0 && (pair[1] - pair[0]).abs() < 0.7);

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use ocean_globe::model::shore_waves::{Bed, arrivals, regular};
+use ocean_globe::model::sea_bed::{Coast, Grid};
+use ocean_globe::model::shore_waves::{Bed, Shallows, arrivals, regular};
 use ocean_globe::model::{GRAVITY, dispersion};
 
 use crate::beach;
@@ -11,7 +12,8 @@ use crate::beach;
 fn bed(side: usize, step: f64, at: impl Fn(f64, f64) -> (f64, f64)) -> Bed {
     let nodes = (0..side * side).map(|i| at((i % side) as f64 * step, (i / side) as f64 * step));
     let (depth_m, shore_m) = nodes.unzip();
-    Bed { side, step_m: vec![step; side], depth_m, shore_m }
+    // All of it is a plane beach's.
+    Bed { side, step_m: vec![step; side], depth_m, shore_m, face: vec![1e-9; side * side] }
 }
 
 /// The whole phase at a place, as who looks has it: R between nodes, and the regular part of the place.
@@ -22,7 +24,7 @@ fn phase(bed: &Bed, rest: &[f64], omega: f64, x: f64, y: f64, (h, d): (f64, f64)
     let at = |i: usize, j: usize| rest[j * bed.side + i];
     let top = at(i, j) * (1.0 - f) + at(i + 1, j) * f;
     let bottom = at(i, j + 1) * (1.0 - f) + at(i + 1, j + 1) * f;
-    top * (1.0 - g) + bottom * g + regular(omega, h, d)
+    top * (1.0 - g) + bottom * g + regular(omega, Shallows { h, d, m: 1e-9 })
 }
 
 #[test]
@@ -153,4 +155,40 @@ fn shoaling_of_the_design() {
     assert!((beach::refraction(deep, here) - 0.941871).abs() < 1e-6);
     let ks = |h: f64| dispersion::shoaling(dispersion::wavenumber(TAU / 20.0, h), h);
     assert!((ks(1.0) / ks(2.0) - 1.1862).abs() < 1e-4);
+}
+
+#[test]
+fn crests_come_to_deans_beach_at_their_own_pace() {
+    // Straight on to a coast 50 m deep a cell off; phases between places near the shore, against the integral of k over that way.
+    let coast = Coast::new(Grid::level(-50.0), 9_277.0, 0.0);
+    let (side, step) = (128, 40.0);
+    let shore_y = step * (f64::from(side) - 6.4);
+    let water = |y: f64| Shallows { h: coast.profile_m((shore_y - y).max(0.0)), d: shore_y - y, m: coast.m };
+    let wet =
+        |_x: f64, y: f64| if y < shore_y { (water(y).h, shore_y - y) } else { (-0.07 * (y - shore_y), shore_y - y) };
+    let bed = Bed { face: vec![coast.m; (side * side) as usize], ..bed(side as usize, step, wet) };
+    for period in [5.0, 8.0, 12.0] {
+        let omega = TAU / period;
+        let found = arrivals(&bed, omega, [0.0, 1.0]);
+        let rest = |y: f64| {
+            let (row, x) = ((y / step) as usize, side as usize / 2);
+            let at = |row: usize| found.rest[row * side as usize + x];
+            at(row) + (at(row + 1) - at(row)) * (y / step - row as f64)
+        };
+        let mut worst = 0.0f64;
+        for d in [6.0, 12.0, 25.0, 50.0, 100.0, 200.0, 400.0] {
+            let (far, near) = (shore_y - 2.0 * d, shore_y - d);
+            let drawn = rest(near) + regular(omega, water(near)) - rest(far) - regular(omega, water(far));
+            let steps = 4_000;
+            let k = |i: i32| {
+                let y = far + (near - far) * (f64::from(i) + 0.5) / f64::from(steps);
+                dispersion::wavenumber(omega, water(y).h)
+            };
+            let wanted = (0..steps).map(k).sum::<f64>() * d / f64::from(steps);
+            println!("{period} s, {d} m: {drawn:.3} for {wanted:.3} rad");
+            worst = worst.max((drawn / wanted - 1.0).abs());
+        }
+        // Nodes 40 m apart hold what is smooth: a plane beach's phase alone is a quarter off here.
+        assert!(worst < 0.04, "{period} s: {worst}");
+    }
 }

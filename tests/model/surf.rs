@@ -83,7 +83,7 @@ fn decay_error(m: f64, period: f64, hrms0: f64) -> f64 {
         });
         (squares.sum::<f64>() / f64::from(count)).sqrt()
     };
-    let found = battjes_janssen::heights(m, period, hrms0);
+    let found = battjes_janssen::heights(|_| m, period, hrms0);
     let errors = found.iter().map(|&[h, hrms]| (rms(h) / hrms - 1.0).powi(2));
     (errors.sum::<f64>() / found.len() as f64).sqrt()
 }

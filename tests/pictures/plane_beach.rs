@@ -1,10 +1,11 @@
-//! A plane beach: pictures of its water from above at many instants, taken apart into the trains that make it. It faces east, so that pictures
+//! A straight beach: pictures of its water from above at many instants, taken apart into the trains that make it. It faces east, so that pictures
 //! whose top is south have the sea on their left.
 
 use std::f64::consts::TAU;
 
 use glam::DVec2;
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::world::World;
 use ocean_globe::model::wave_trains::{TRAINS, Train, trains};
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::sea::Seas;
@@ -15,8 +16,8 @@ use crate::small_world::{self, Folder};
 const SHORE_DEG: f64 = 60.001_831_05;
 /// Metres on the ground of a degree of longitude at the equator.
 pub const DEGREE_M: f64 = 111_319.491;
-/// Of the bed.
-pub const SLOPE: f64 = 0.03;
+/// How far from the shore its bed is known, and how finely, m.
+const KNOWN_M: usize = 1_200;
 /// Middle between two windows' edges, and such an edge, latitude.
 pub const WITHIN_DEG: f64 = 0.021_97;
 /// See [`WITHIN_DEG`].
@@ -38,29 +39,41 @@ impl View {
     pub fn pixel_m(&self) -> f64 {
         self.altitude_m * 2.0 * (TAU / 16.0).tan() / self.size[1] as f64
     }
-
-    /// Depth of the bed under a column, m.
-    pub fn column_depth_m(&self, column: usize) -> f64 {
-        self.depth_m - SLOPE * self.pixel_m() * (column as f64 + 0.5 - 0.5 * self.size[0] as f64)
-    }
 }
 
 /// The beach with who draws it.
 pub struct Beach {
     pub renderer: Renderer,
+    /// By the metre from the shore on, m.
+    depths_m: Vec<f64>,
     _folder: Folder,
 }
 
 impl Beach {
     pub fn new(name: &str) -> Self {
         let folder = small_world::baked(name);
-        Self { renderer: render::headless(folder.path().to_str().unwrap(), Radiance::Single).unwrap(), _folder: folder }
+        let path = folder.path().to_str().unwrap();
+        let mut world = World::open(path);
+        let depth_m = |way_m: usize| {
+            let lon = SHORE_DEG + way_m as f64 / DEGREE_M;
+            let place = world.sample_blocking(WITHIN_DEG.to_radians(), lon.to_radians()).unwrap();
+            place.depth_m.unwrap_or(0.0)
+        };
+        let depths_m = (0..KNOWN_M).map(depth_m).collect();
+        Self { renderer: render::headless(path, Radiance::Single).unwrap(), depths_m, _folder: folder }
+    }
+
+    /// Metres from the shore to water of a depth.
+    fn way_m(&self, depth_m: f64) -> f64 {
+        let beyond = self.depths_m.iter().position(|&depth| depth > depth_m).unwrap();
+        let [near, far] = [beyond - 1, beyond].map(|way| self.depths_m[way]);
+        (beyond - 1) as f64 + (depth_m - near) / (far - near)
     }
 
     /// A layer of a view of the sea that a link's part says, so many seconds after midnight.
     pub fn layer(&mut self, view: &View, sea: &str, second: f64, layer: LayerName) -> Vec<f64> {
-        let lon = SHORE_DEG + view.depth_m / SLOPE / DEGREE_M;
-        let link = format!("#view={},{lon},{},180,0&{sea}&clouds=0&surf=1,{SLOPE}", view.lat_deg, view.altitude_m);
+        let lon = SHORE_DEG + self.way_m(view.depth_m) / DEGREE_M;
+        let link = format!("#view={},{lon},{},180,0&{sea}&clouds=0", view.lat_deg, view.altitude_m);
         let mut state = render::parse_state(&link).unwrap();
         state.time = ocean_globe::scene::time::SceneTime::At(1_782_000_000.0 + second);
         render::measure(&mut self.renderer, &state, view.size.map(|side| side as u32), layer).unwrap().values

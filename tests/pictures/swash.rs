@@ -1,6 +1,12 @@
 //! Waves that run up a beach, and the wet sand.
 
+use std::f64::consts::TAU;
+
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::world::World;
+use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::model::swash::RunUp;
+use ocean_globe::model::wave_trains::{TRAINS, trains};
 use ocean_globe::renderer::{Radiance, Renderer};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -36,9 +42,15 @@ fn waves_run_up_a_beach_and_leave_it_wet() {
         let pixels = between(from, to);
         pixels.iter().map(|&i| picture[i]).sum::<f64>() / pixels.len() as f64
     };
-    // The sea off this beach is 2.0 m high, its trains' mean period some 6 s and the beach's slope 0.078, so that by Stockdon a fiftieth of the
-    // waves pass 0.82 m and come 10.5 m up. Sand is damp to 0.8 of that, dry from 1.1 times on, and nothing grows before 1.6 times.
-    let wet_over_dry = mean(&pictures[0], 5.0, 7.0) / mean(&pictures[0], 11.5, 13.5);
+    // By Stockdon a fiftieth of the waves of this sea come so far up the beach, at the trains' mean frequency. Sand is damp to 0.8 of that, dry from
+    // 1.1 times on, and nothing grows before 1.6 times.
+    let place = World::open(DATA).sample_blocking(f64::to_radians(52.1), f64::to_radians(4.2626)).unwrap();
+    let tables = SeaTables::of(&render::parse_state(&format!("#view=52.1,4.2626,60,0,0{}", sea(0))).unwrap().settings);
+    let omega = trains(&tables).unwrap().iter().map(|train| train.omega / TRAINS as f64).sum();
+    let up_m = RunUp::new(tables.sea.hs_m, omega, place.beach).fiftieth() / place.beach;
+    println!("{:.2} m, {:.2} s, slope {:.4}: {up_m:.1} m up", tables.sea.hs_m, TAU / omega, place.beach);
+    assert!((0.055..0.07).contains(&place.beach), "fine sand off a flat shelf: {}", place.beach);
+    let wet_over_dry = mean(&pictures[0], 0.48 * up_m, 0.67 * up_m) / mean(&pictures[0], 1.1 * up_m, 1.29 * up_m);
     println!("wet sand is {wet_over_dry:.3} times as bright as dry sand");
     // Wet sand has 0.6 of the reflectance of dry sand (WET_SAND of land.wgsl), and a sixth of it may still shine.
     assert!((0.55..0.75).contains(&wet_over_dry), "{wet_over_dry}");
@@ -49,7 +61,7 @@ fn waves_run_up_a_beach_and_leave_it_wet() {
         pixels.iter().filter(differs).count() as f64 / pixels.len() as f64
     };
     for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-        let shares = [changed(a, b, 0.0, 6.0), changed(a, b, 20.0, 1e3)];
+        let shares = [changed(a, b, 0.0, 0.57 * up_m), changed(a, b, 1.9 * up_m, 1e3)];
         println!("{shares:.3?} of the pixels have changed by the water, and inland");
         assert!(shares[0] > 0.1 && shares[1] == 0.0, "{shares:?}");
     }

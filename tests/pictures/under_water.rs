@@ -18,6 +18,8 @@ use ocean_globe::scene::view::state::ViewState;
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 /// Off the Exumas, Bahamas: 3.8 m of water.
 const SHALLOWS: &str = "24.31,-76.561";
+/// Where the bed is 3.8 m deep: the net of light is the sharper the deeper, down to some ten metres.
+const NET: &str = "24.31,-76.562";
 const SHALLOWS_BELOW: &str = "24.31,-76.561,-1.5";
 const NOON: &str = "time=2026-06-21T17:00:00Z&clouds=0";
 
@@ -80,8 +82,7 @@ fn caustics_gather_the_suns_light_and_lose_none() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     // Four instants, between which the waves have changed.
     let mut at = |rest: &str| {
-        let link =
-            |second: usize| format!("#view={SHALLOWS},-1.5,0,90&{}", rest.replace(":00Z", &format!(":{second:02}Z")));
+        let link = |second: usize| format!("#view={NET},-1.5,0,90&{}", rest.replace(":00Z", &format!(":{second:02}Z")));
         let found = [0, 15, 30, 45].map(|second| caustics(&mut renderer, &link(second)));
         let [mean, deviation] = [0, 1].map(|part| found.iter().map(|one| one[part]).sum::<f64>() / 4.0);
         let mean = mean / facing_sun(&link(0));

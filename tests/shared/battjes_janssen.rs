@@ -1,4 +1,4 @@
-//! The heights of a random sea that breaks on a plane beach, by the energy balance of J. Battjes and J. Janssen (1978), for the tests of the
+//! The heights of a random sea that breaks on a beach, by the energy balance of J. Battjes and J. Janssen (1978), for the tests of the
 //! model and of what is drawn.
 
 use std::f64::consts::TAU;
@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use ocean_globe::model::{GRAVITY, dispersion};
 
 /// Depths from three times the significant height down to half of it, m, and the rms height there, m: of waves that come straight in, `hrms0` m
-/// high in deep water with a period in seconds, up a beach of slope `m`.
-pub fn heights(m: f64, period: f64, hrms0: f64) -> Vec<[f64; 2]> {
+/// high in deep water with a period in seconds, up a beach with a `slope` by depth.
+pub fn heights(slope: impl Fn(f64) -> f64, period: f64, hrms0: f64) -> Vec<[f64; 2]> {
     let omega = TAU / period;
     let k_deep = omega * omega / GRAVITY;
     let ks = |h: f64| dispersion::shoaling(dispersion::wavenumber(omega, h), h);
@@ -28,7 +28,7 @@ pub fn heights(m: f64, period: f64, hrms0: f64) -> Vec<[f64; 2]> {
         }
         // dE cg/dx = -D with E = ρg Hrms²/8, D = ρg Qb Hm²/(4 T).
         let flux = square * cg(h) - step * 2.0 * low * highest * highest / period;
-        h -= step * m;
+        h -= step * slope(h);
         square = flux / cg(h);
         if h < 3.0 * hs {
             found.push([h, square.sqrt()]);

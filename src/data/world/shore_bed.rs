@@ -6,7 +6,7 @@ use crate::data::exposure::Found;
 use crate::data::tile::{Layer, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 use crate::data::{SharedTexels, TileTexels};
-use crate::model::sea_bed::shaped_on;
+use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
 use crate::model::shore_waves::Bed;
 
 /// Level of Mercator's tiles that have a window each, whose water tiles it is made of: the deepest.
@@ -22,7 +22,7 @@ enum Served {
 }
 
 impl World {
-    /// How far beds fall from shores at most, metres per metre.
+    /// How steeply beds fall from shores, metres per metre.
     pub fn beach_slope(&self) -> f64 {
         self.beach_slope
     }
@@ -37,12 +37,16 @@ impl World {
         let mut at_hand = true;
         let mut water = Vec::with_capacity(9);
         let mut terrain = Vec::with_capacity(9);
+        let mut coarse = Vec::with_capacity(9);
+        let coarse_level = grid_level(resolution_m).min(terrain_level);
         for (dy, dx) in (0..3).flat_map(|dy| (0..3).map(move |dx| (dy, dx))) {
             let (column, row) = ((x + across + dx - 1) % across, (y + dy).saturating_sub(1).min(across - 1));
             let id = TileId { projection: map, z: SHORE_LEVEL, x: column, y: row };
-            for (layer, level, found) in
-                [(Layer::Water, water_level, &mut water), (Layer::Terrain, terrain_level, &mut terrain)]
-            {
+            for (layer, level, found) in [
+                (Layer::Water, water_level, &mut water),
+                (Layer::Terrain, terrain_level, &mut terrain),
+                (Layer::Terrain, coarse_level, &mut coarse),
+            ] {
                 match self.served(layer, id.ancestor(level.min(SHORE_LEVEL))?) {
                     Served::By(tile, texels) => found.push(Some((tile, texels))),
                     Served::Nothing => found.push(None),
@@ -56,9 +60,11 @@ impl World {
         let side = f64::from(across);
         let node = |i: usize| (i as f64 * 4.0) / TILE_TEXELS as f64 - 0.5;
         let (mut step_m, mut depth_m, mut shore_m) = (Vec::new(), Vec::new(), Vec::new());
+        let mut face = Vec::new();
         for j in 0..SHORE_SIDE {
             let map_y = ((f64::from(y) + node(j)) / side).clamp(0.0, 1.0);
             let (lat, _) = lat_lon_from_map(map, 0.5, map_y);
+            let sin_lat = libm::sin(lat);
             let step = 4.0 * texel_size_m(map, SHORE_LEVEL, lat);
             step_m.push(step);
             for i in 0..SHORE_SIDE {
@@ -66,14 +72,23 @@ impl World {
                 let tile = |k: usize| usize::from(k >= SHORE_SIDE / 4) + usize::from(k >= 3 * SHORE_SIDE / 4);
                 let at = tile(j) * 3 + tile(i);
                 let shore = water[at].as_ref().map_or(f64::INFINITY, |(id, texels)| {
-                    value(*id, texels, map_x, map_y) * texel_size_m(map, id.z, lat)
+                    let (distances, at) = around(*id, texels, map_x, map_y);
+                    between(distances, at) * texel_size_m(map, id.z, lat)
                 });
-                let elevation = terrain[at].as_ref().map_or(0.0, |(id, texels)| value(*id, texels, map_x, map_y));
+                let elevation = terrain[at].as_ref().map_or(0.0, |(id, texels)| {
+                    let (values, at) = around(*id, texels, map_x, map_y);
+                    between(values, at)
+                });
+                let grid = coarse[at].as_ref().map_or(Grid::level(elevation), |(id, texels)| {
+                    let (values, at) = around(*id, texels, map_x, map_y);
+                    Grid::between(values, at)
+                });
                 shore_m.push(shore);
-                depth_m.push(-shaped_on(elevation, shore, resolution_m, self.beach_slope));
+                face.push(Coast::new(grid, resolution_m, sin_lat).beach(self.beach_slope));
+                depth_m.push(-shaped_on(elevation, grid, shore, [resolution_m, self.beach_slope], sin_lat));
             }
         }
-        Some(Bed { side: SHORE_SIDE, step_m, depth_m, shore_m })
+        Some(Bed { side: SHORE_SIDE, step_m, depth_m, shore_m, face })
     }
 
     /// The tile, or its nearest ancestor that there is. What is not at hand is asked for, without an answer to anybody.
@@ -89,8 +104,9 @@ impl World {
     }
 }
 
-/// Between the texels of a tile around a place of the map, as far as the tile goes: metres of elevation, or texels to the ocean's shore.
-fn value(id: TileId, texels: &TileTexels, x: f64, y: f64) -> f64 {
+/// The four texels of a tile around a place of the map, as far as the tile goes, metres of elevation or texels to the ocean's shore, and where
+/// between them it is.
+fn around(id: TileId, texels: &TileTexels, x: f64, y: f64) -> ([f64; 4], [f64; 2]) {
     let across = f64::from(1u32 << id.z);
     let within = |at: f64, tile: u32| {
         let at = (at * across - f64::from(tile)).rem_euclid(across) * TILE_TEXELS as f64 - 0.5;
@@ -104,6 +120,11 @@ fn value(id: TileId, texels: &TileTexels, x: f64, y: f64) -> f64 {
         TileTexels::Water(texels) => f64::from(unpacked(texels[j * TILE_TEXELS + i]).0[0]) / STEPS_PER_TEXEL,
         TileTexels::Imagery(_) => 0.0,
     };
+    ([texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)], [f, g])
+}
+
+/// Between four values.
+fn between([a, b, c, d]: [f64; 4], [f, g]: [f64; 2]) -> f64 {
     let mix = |a: f64, b: f64, t: f64| a + (b - a) * t;
-    mix(mix(texel(i, j), texel(i + 1, j), f), mix(texel(i, j + 1), texel(i + 1, j + 1), f), g)
+    mix(mix(a, b, f), mix(c, d, f), g)
 }

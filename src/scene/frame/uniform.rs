@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::model::clouds;
 use crate::model::wave_domain::PATCHES;
-use crate::model::{lakes, relief, rugged, sheltered_sea};
+use crate::model::{lakes, relief, rugged, sea_bed, sheltered_sea};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
 
@@ -53,7 +53,41 @@ pub fn shared_constants() -> String {
     ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
-    bits.concat() + &numbers.concat() + &clouds_field() + &relief_numbers() + &shores::shared_constants()
+    bits.concat()
+        + &numbers.concat()
+        + &clouds_field()
+        + &relief_numbers()
+        + &bed_numbers()
+        + &shores::shared_constants()
+}
+
+/// Those of the bed near shores.
+fn bed_numbers() -> String {
+    let numbers = [
+        ("USUAL_SLOPE", sea_bed::USUAL_SLOPE),
+        ("EQUATOR_TEXEL", sea_bed::EQUATOR_TEXEL_M),
+        ("BED_WIDEST", sea_bed::WIDEST_M),
+        ("BED_UNKNOWN", sea_bed::LEAST_M[0]),
+        ("BED_LEAST", sea_bed::LEAST_M[1]),
+        ("BED_LEAST_SHARE", sea_bed::LEAST_SHARE),
+        ("BERM", sea_bed::BERM_M),
+        ("DEAN_A", sea_bed::DEAN[0]),
+        ("DEAN_DEPTH", sea_bed::DEAN[1]),
+        ("DEAN_CELL", sea_bed::DEAN[2]),
+        ("SAND_LEAST", sea_bed::SAND[0]),
+        ("SAND_MOST", sea_bed::SAND[1]),
+        ("ROCKY_SLOPE", sea_bed::ROCKY_SLOPE),
+        ("ROCK_ADDS", sea_bed::ROCK[0]),
+        ("ROCK_MOST", sea_bed::ROCK[1]),
+        ("CLIFF_BEGINS", sea_bed::CLIFF[0]),
+        ("CLIFF_WHOLE", sea_bed::CLIFF[1]),
+        ("CLIFF_SLOPE", sea_bed::CLIFF_SLOPE),
+        ("ICE_BEGINS", sea_bed::ICE[0]),
+        ("ICE_WHOLE", sea_bed::ICE[1]),
+        ("FACE_LEAST", sea_bed::FACE[0]),
+        ("FACE_RISES", sea_bed::FACE[1]),
+    ];
+    numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n")).concat()
 }
 
 /// Those of the relief.
@@ -332,7 +366,7 @@ gpu_struct! {
         /// Waves that break on shores: their period, s; for how many seconds their fronts are dense; their height over the depth that they break
         /// in; in how many seconds their white water fades.
         surf: Vec4 = "vec4f",
-        /// How far the bed falls from a shore at most, metres per metre; width of the surf over the usual one; the rest is 0.
+        /// How steeply usual beaches fall, metres per metre; width of the surf over the usual one; the rest is 0.
         shore: Vec4 = "vec4f",
         /// Patch lengths of the cascades, metres.
         patches: Vec4 = "vec4f",

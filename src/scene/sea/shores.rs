@@ -19,7 +19,7 @@ use crate::data::tile::{EQUATOR_M, MapPoint, POLAR_LATITUDE_DEG, Projection};
 use crate::data::world::{SHORE_LEVEL, SHORE_SIDE, World};
 use crate::model::sea::Sea;
 use crate::model::sea_tables::SeaTables;
-use crate::model::shore_waves::{ADDED, Arrivals, Bed, Following, SHALLOWEST_M};
+use crate::model::shore_waves::{ADDED, ADDED_BY_DEAN, Arrivals, Bed, Following, SHALLOWEST_M};
 use crate::model::wave_trains::{TAKEN, TRAINS, Train, taken_m2, trains};
 use crate::model::{surf, surface, swash, waves};
 use crate::scene::frame::Frame;
@@ -62,6 +62,7 @@ pub fn shared_constants() -> String {
     ];
     let numbers = [
         ("PHASE_ADDED", ADDED),
+        ("PHASE_ADDED_BY_DEAN", ADDED_BY_DEAN),
         ("SHALLOWEST", SHALLOWEST_M),
         ("FEELS_BOTTOM", HANDOVER[0]),
         ("FREE_OF_BOTTOM", HANDOVER[1]),
@@ -72,7 +73,6 @@ pub fn shared_constants() -> String {
         ("BREAKER_STABLE", surf::STABLE),
         ("BREAKER_LEAST_INDEX", surf::LEAST_INDEX),
         ("BREAKER_BORE", surf::BORE),
-        ("SWASH_STEEPER", swash::STEEPER),
         ("SWASH_STEEPEST", swash::STEEPEST),
         ("SWASH_SHINES", swash::SHINES_S),
         ("SWASH_FLAT", swash::FLAT[0]),

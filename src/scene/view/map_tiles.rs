@@ -9,12 +9,13 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::relief::WIDEST_M;
+use crate::model::sea_bed::{BERM_M, Coast, Grid, LEAST_M, USUAL_SLOPE, grid_level, trusted_m};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// Deepest level of the ground's mesh, whatever the archives hold: cells of 76 m at the equator.
 const DEEPEST_MESH: u8 = 15;
 /// Levels of the mesh below the archives' deepest tiles, whose texels are as wide as the mesh's cells four levels down: four cells to a
-/// texel follow what a sharp coast makes of it (`shaped_elevation`), and finer ones show nothing more.
+/// texel follow what a sharp coast makes of it (`model::sea_bed`), and finer ones show nothing more.
 const LEVELS_BELOW: u8 = 6;
 /// Highest and lowest ground, metres, with a margin.
 pub const RELIEF_M: f64 = 9_500.0;
@@ -64,7 +65,7 @@ pub struct Hiding {
     pub depth_m: f64,
     /// How wide a cell of the terrain's source is, metres: what shapes the bed near the shore.
     pub resolution_m: f64,
-    /// How far the bed falls from a shore at most, metres per metre.
+    /// How steeply usual beaches fall, metres per metre.
     pub beach_slope: f64,
 }
 
@@ -147,10 +148,13 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
     let known = id.z >= tiles.deepest(Layer::Terrain, id.projection) && tiles.is_known(Layer::Terrain, id);
     // Vertices look four levels up, where a texel is as wide as a cell of the mesh.
     let metres = if known { tiles.elevations_m(id, id.z.saturating_sub(5)) } else { None };
-    // A sharp coast shapes the bed to at least 30 m of depth and the land to at least 2 m of height, see `shaped_elevation`. Valleys do
-    // not reach down to the sea.
+    // A sharp coast shapes the bed and the land to some least depth and height, and the bed goes down as far as the sea is deep and the land is
+    // high together (`model::sea_bed`). Valleys do not reach down to the sea.
     let made = if rugged_m(id, tiles).is_some() { HIGHEST_RELIEF_M } else { 0.0 };
-    metres.map_or([-RELIEF_M, RELIEF_M], |metres| [metres.least.min(-30.0), metres.greatest.max(2.0) + made])
+    metres.map_or([-RELIEF_M, RELIEF_M], |metres| {
+        let [low, high] = [metres.least.min(0.0), metres.greatest.max(0.0)];
+        [(low - high).min(-LEAST_M[0]), high.max(BERM_M) + made]
+    })
 }
 
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
@@ -175,10 +179,16 @@ impl Hiding {
     /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
     fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
         let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
-        // `shaped_elevation` keeps near shores what is deeper than the slope times the distance at that, and farther off as it is.
-        if shore_m <= 0.0 || (self.beach_slope * shore_m < self.depth_m && shore_m < self.resolution_m) {
+        if shore_m <= 0.0 {
             return false;
         }
+        let is_trusted = shore_m >= trusted_m(self.resolution_m);
+        // Nearer, the bed depends on the cells around, too: over deeper water and beside land it is steeper than this.
+        let coast = Coast::new(Grid::level(-self.depth_m), self.resolution_m, 0.0);
+        if !is_trusted && self.beach_slope / USUAL_SLOPE * coast.profile_m(shore_m) < self.depth_m {
+            return false;
+        }
+        let coarsest = if is_trusted { coarsest } else { coarsest.min(grid_level(self.resolution_m)) };
         tiles.elevations_m(id, coarsest).is_some_and(|metres| -metres.greatest >= self.depth_m)
     }
 }

@@ -8,7 +8,7 @@ use super::{HANDOVER, SHORES_END_M, Shores, Window, mean_frequency};
 use crate::data::tile::{MapPoint, Projection};
 use crate::data::world::{SHORE_LEVEL, SHORE_SIDE};
 use crate::model::sea_bed::smoothstep;
-use crate::model::shore_waves::{SHALLOWEST_M, regular};
+use crate::model::shore_waves::{SHALLOWEST_M, Shallows, regular};
 use crate::model::surf::{SurfWave, TrainSum};
 use crate::model::wave_trains::{TAKEN, TRAINS};
 use crate::model::{GRAVITY, noise, surface, waves};
@@ -27,9 +27,10 @@ pub struct ShoreWaves {
 }
 
 impl Shores {
-    /// The waves of the trains at geodetic `lat`, `lon` (radians) at a tick, over a depth of `depth_m` and `shore_m` from the shore: what the
+    /// The waves of the trains at geodetic `lat`, `lon` (radians) at a tick, in such water: what the
     /// shader finds there near the eye, from the same numbers. `None` where there are none.
-    pub fn waves_at(&self, (lat, lon): (f64, f64), depth_m: f64, shore_m: f64, ticks: u64) -> Option<ShoreWaves> {
+    pub fn waves_at(&self, (lat, lon): (f64, f64), water: Shallows, ticks: u64) -> Option<ShoreWaves> {
+        let (depth_m, shore_m) = (water.h, water.d);
         let trains = self.trains.as_ref().filter(|_| !self.wanted.is_empty())?;
         let (sea, _) = self.sea.as_ref()?;
         let omega = mean_frequency(trains);
@@ -67,7 +68,7 @@ impl Shores {
             for (tile, nodes, place, energy) in &windows {
                 let [rest, east, south] = between(nodes, index, *place);
                 let chance = f64::from(noise::hash([tile[0], tile[1], index as u32]) >> 8) / 16_777_216.0;
-                let (sin, cos) = libm::sincos(now - rest - regular(train.omega, depth_m, shore_m) + TAU * chance);
+                let (sin, cos) = libm::sincos(now - rest - regular(train.omega, water) + TAU * chance);
                 let size = libm::hypot(east, south);
                 wave += libm::sqrt(*energy) * size * DVec2::new(cos, sin);
                 way += energy * size * DVec2::new(east, -south);
@@ -87,12 +88,7 @@ impl Shores {
         let taken = self.taken_share(sea);
         let left = |taken: f64| libm::sqrt((1.0 - taken * share).max(0.0));
         let patches = TAKEN.map(|part| left(part * part));
-        (found > 0.0).then(|| ShoreWaves {
-            wave: sum.wave(omega, depth_m, shore_m, wanted),
-            share,
-            patches,
-            level: left(taken),
-        })
+        (found > 0.0).then(|| ShoreWaves { wave: sum.wave(omega, water, wanted), share, patches, level: left(taken) })
     }
 }
 
