@@ -16,8 +16,8 @@ use crate::small_world::{self, Folder};
 const SHORE_DEG: f64 = 60.001_831_05;
 /// Metres on the ground of a degree of longitude at the equator.
 pub const DEGREE_M: f64 = 111_319.491;
-/// How far from the shore its bed is known, and how finely, m.
-const KNOWN_M: usize = 1_200;
+/// How far from the shore its bed is looked up, m.
+const KNOWN_M: usize = 6_000;
 /// Middle between two windows' edges, and such an edge, latitude.
 pub const WITHIN_DEG: f64 = 0.021_97;
 /// See [`WITHIN_DEG`].
