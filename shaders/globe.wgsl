@@ -58,7 +58,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     let point = map_point(dn);
     let across = distance * frame.pixel_angle;
-    let ground = ground_at(point, sin_lat, max(across, 1.0));
+    let ground = ground_from_afar(point, sin_lat, max(across, 1.0));
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }

@@ -18,6 +18,7 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
+    @location(7) grid: vec3f,                          // `grid_at`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec4f,                         // height of the waves that come in to it, and how far they run up; the way down to it, east and north
 }
@@ -62,7 +63,8 @@ fn vertex(in: Tile) -> Vertex {
     let sin_lat = select(frame.sin_lat, raw_sin_lat, abs(raw_sin_lat) < 0.99999);
     let spacing = texel_metres(point, f32(tile.y), raw_sin_lat) * f32(TILE_TEXELS) / GRID;
     let rest = surface_from_normal_delta(dn);
-    var ground = ground_at(point, sin_lat, spacing);
+    let grid = grid_at(point, sin_lat, spacing);
+    var ground = ground_amid(point, sin_lat, spacing, grid);
     if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var made = NO_RELIEF;
@@ -87,7 +89,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec4f(height, run_up_reach(height, foreshore(ground.face)), rise / max(length(rise), 1e-3));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), shadow_of_vertex(rest, OWN_SHADOWS), shore);
+        vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -97,9 +99,9 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
 
-fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f) -> Place {
+fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    var ground = ground_at(point, sin_lat, max(distance * frame.pixel_angle, 1.0));
+    var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid);
     // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for
     // the air before them.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
@@ -128,9 +130,9 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
 }
 
 // Where a ray meets the ellipsoid.
-fn place_on_ellipsoid(direction: vec3f, distance: Metres) -> Place {
+fn place_on_ellipsoid(direction: vec3f, distance: Metres, grid: vec3f) -> Place {
     let dn = normal_delta(direction * distance);
-    return place(distance, dn, map_point(dn), vec2f(0.0));
+    return place(distance, dn, map_point(dn), vec2f(0.0), grid);
 }
 
 @fragment
@@ -144,12 +146,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let by_ray = chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance;
     var at: Place;
     if by_ray {
-        at = place_on_ellipsoid(direction, far_hit);
+        at = place_on_ellipsoid(direction, far_hit, in.grid);
         // A lake has less air before it the higher it lies: as where its triangles tell the distance.
         if at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
     } else {
         let point = tile_point(in.tile, in.in_tile);
-        at = place(triangle_distance, normal_delta_at(point), point, unit_part(in.tile, in.in_tile));
+        at = place(triangle_distance, normal_delta_at(point), point, unit_part(in.tile, in.in_tile), in.grid);
         // Each place is drawn by one square alone.
         if square_of(at.sin_lat) != in.tile.x {
             discard;
@@ -159,7 +161,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let shows_sea = (frame.layers & SHOWS_SEA) != 0u;
     if at.ground.is_ocean && shows_sea && !UNDER_WATER && !by_ray && !hides_sea(at.distance, far_hit) {
         // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
-        let surface = place_on_ellipsoid(direction, far_hit);
+        let surface = place_on_ellipsoid(direction, far_hit, in.grid);
         if !surface.ground.is_ocean { at = surface; }
     }
     let distance = at.distance;

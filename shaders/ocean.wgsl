@@ -44,16 +44,18 @@ struct Vertex {
     @location(2) height: f32,
     @location(4) incoming: f32,        // height of the waves that break on shores
     @location(5) shadow: vec3f,        // of clouds, `shadow_of_vertex`
+    @location(6) grid: vec3f,          // `grid_at`
     @location(3) ahead: vec2f,         // the way to the water beyond, level, and how much higher that is; see `crest_light`
 }
 
 fn vertex_at(place: Place) -> Vertex {
+    let dn = normal_delta(place.rest);
+    let point = map_point(dn);
     var incoming = 0.0;
-    if SURF {
-        incoming = height_coming_in(local_sea(map_point(normal_delta(place.rest))), length(place.rest));
-    }
+    if SURF { incoming = height_coming_in(local_sea(point), length(place.rest)); }
+    let grid = grid_at(point, frame.sin_lat + sin_lat_delta(dn), max(length(place.rest) * frame.pixel_angle, 1.0));
     return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, shadow_of_vertex(place.rest, FINE),
-        beyond(place));
+        grid, beyond(place));
 }
 
 @vertex
@@ -115,7 +117,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // The backs of crests are seen flatter than level water. All that they add to a pixel's area is along it.
     if !MEASURED && !is_chord { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
     let point = map_point(dn);
-    let ground = ground_at(point, sin_lat, max(across, 1.0));
+    let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     // Pixels that the shore crosses show sea by its share of them.
     let share = ocean_share(ground, sinking(point, direction, up, LEAST_SINKING), across);
     if share <= 0.0 {

@@ -133,23 +133,48 @@ fn ocean_shore_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Metres {
     return bilinear(true, point, page).x * texel_metres(point, f32(page.level), sin_lat);
 }
 
+// What the grid has around a place of four of its texels.
+fn grid_of(cells: TexelsAround) -> vec3f {
+    return amid(TexelsAround(grid_value(cells.a.x), grid_value(cells.b.x), grid_value(cells.c.x), grid_value(cells.d.x), cells.f));
+}
+
+fn level_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> u32 {
+    return level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)));
+}
+
+// What it has around a place. It is smooth over kilometres: vertices look it up, pixels interpolate it.
+fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
+    return grid_of(texels_around(false, point, pages_at(point, min(level_at(point, sin_lat, footprint), grid_level())).terrain));
+}
+
+// The ground at a place, around which the grid has so much.
+fn ground_amid(point: MapPoint, sin_lat: f32, footprint: Metres, grid: vec3f) -> Ground {
+    let found = pages_at(point, level_at(point, sin_lat, footprint));
+    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid);
+}
+
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
-    let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let level = level_for(point, footprint, cos_lat);
-    let found = pages_at(point, level);
-    let terrain = bilinear(false, point, found.terrain);
-    let cells = texels_around(false, point, pages_at(point, min(level, grid_level())).terrain);
-    let grid = amid(TexelsAround(grid_value(cells.a.x), grid_value(cells.b.x), grid_value(cells.c.x), grid_value(cells.d.x), cells.f));
+    return ground_amid(point, sin_lat, footprint, grid_at(point, sin_lat, footprint));
+}
+
+// Where pixels are as wide as the grid's cells, so that these are the terrain's texels.
+fn ground_from_afar(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
+    let found = pages_at(point, level_at(point, sin_lat, footprint));
+    let cells = texels_around(false, point, found.terrain);
+    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells));
+}
+
+fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f) -> Ground {
     let coast = coast_of(grid, sin_lat);
-    let water = texels_around(true, point, found.water);
+    let water = texels_around(true, point, water_page);
     let shore_rise = vec2f(mix(water.b.x - water.a.x, water.d.x - water.c.x, water.f.y), mix(water.c.x - water.a.x, water.d.x - water.b.x, water.f.x));
-    let texel = texel_metres(point, f32(found.water.level), sin_lat);
+    let texel = texel_metres(point, f32(water_page.level), sin_lat);
     let told = amid(water);
     var shores = told.xy * texel;
     // Without any water tile the sign of the elevation tells sea from land.
-    if found.water.layer == 0u {
-        shores = vec2f(select(-1e6, 1e6, terrain.x <= 0.0), -1e6);
+    if water_page.layer == 0u {
+        shores = vec2f(select(-1e6, 1e6, elevation <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(terrain.x, coast, shores.x), shores.x, shores.y, shore_rise, texel, bed_steeper() * coast.m, coast.cliff,
+    return Ground(shaped_elevation(elevation, coast, shores.x), shores.x, shores.y, shore_rise, texel, bed_steeper() * coast.m, coast.cliff,
         shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, told.z > 0.5);
 }
