@@ -129,12 +129,6 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
     return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
 }
 
-// Where a ray meets the ellipsoid.
-fn place_on_ellipsoid(direction: vec3f, distance: Metres, grid: vec3f) -> Place {
-    let dn = normal_delta(direction * distance);
-    return place(distance, dn, map_point(dn), vec2f(0.0), grid);
-}
-
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let triangle_distance = length(in.local);
@@ -144,26 +138,39 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Of wide pixels their own ray tells the place, as it does for the sea, so that none falls between the two. A ray over a ridge meets the
     // ellipsoid much farther on; a coarse triangle may lie far below it.
     let by_ray = chords_show(triangle_distance) && far_hit >= 0.0 && nearest_bed(far_hit) < triangle_distance;
-    var at: Place;
-    if by_ray {
-        at = place_on_ellipsoid(direction, far_hit, in.grid);
-        // A lake has less air before it the higher it lies: as where its triangles tell the distance.
-        if at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
-    } else {
-        let point = tile_point(in.tile, in.in_tile);
-        at = place(triangle_distance, normal_delta_at(point), point, unit_part(in.tile, in.in_tile), in.grid);
-        // Each place is drawn by one square alone.
-        if square_of(at.sin_lat) != in.tile.x {
-            discard;
-            return vec4f(0.0);
-        }
-    }
     let shows_sea = (frame.layers & SHOWS_SEA) != 0u;
-    if at.ground.is_ocean && shows_sea && !UNDER_WATER && !by_ray && !hides_sea(at.distance, far_hit) {
-        // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it.
-        let surface = place_on_ellipsoid(direction, far_hit, in.grid);
-        if !surface.ground.is_ocean { at = surface; }
+    // The sea is seen where its surface is, not its bed: a strip of land there is one, though coarse triangles pass under it. So a bed is looked at
+    // twice. As in lib/waves.wgsl, the loop ends at its foot.
+    var at: Place;
+    var is_own = true;
+    var on_ellipsoid = by_ray;
+    var is_second = false;
+    loop {
+        var distance = triangle_distance;
+        var point = tile_point(in.tile, in.in_tile);
+        var part = unit_part(in.tile, in.in_tile);
+        var dn = normal_delta_at(point);
+        if on_ellipsoid {
+            distance = far_hit;
+            dn = normal_delta(direction * far_hit);
+            point = map_point(dn);
+            part = vec2f(0.0);
+        }
+        let found = place(distance, dn, point, part, in.grid);
+        // Each place is drawn by one square alone.
+        is_own &= on_ellipsoid || square_of(found.sin_lat) == in.tile.x;
+        if !is_second || !found.ground.is_ocean { at = found; }
+        let is_bed = found.ground.is_ocean && shows_sea && !UNDER_WATER && !on_ellipsoid && !hides_sea(found.distance, far_hit);
+        on_ellipsoid = true;
+        is_second = true;
+        if !is_bed { break; }
     }
+    if !is_own {
+        discard;
+        return vec4f(0.0);
+    }
+    // A lake has less air before it the higher it lies: as where its triangles tell the distance.
+    if by_ray && at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
     let distance = at.distance;
     let ground = at.ground;
     let up = at.dn + vec3f(0.0, 0.0, 1.0);
