@@ -30,3 +30,16 @@ fn samples_by_a_shore_are_what_is_drawn() {
     }
     assert!(highest > 0.5 && shallowest < 3.5, "waves of {highest} m, down to {shallowest} m of depth");
 }
+
+#[test]
+fn a_calm_sea_by_a_shore_is_finite() {
+    // Without a wave there is no frequency that a train of them could have. Shallows of the Bahamas, and the Dutch coast.
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    for place in ["24.31,-76.561", "52.0967,4.2553"] {
+        let link = format!("#view={place},10,120,80&wind=0@0&clouds=0&time=2026-06-21T11:00:00Z");
+        let state = render::parse_state(&link).unwrap();
+        let measured = render::measure(&mut renderer, &state, [64, 36], LayerName::Radiance).unwrap();
+        let broken = measured.values.iter().filter(|value| !value.is_finite()).count();
+        assert_eq!(broken, 0, "{place}: of {} values", measured.values.len());
+    }
+}

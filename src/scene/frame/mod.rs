@@ -262,6 +262,10 @@ impl Frame {
     /// Whether surf may show, with the nearest shore so far from the eye's foot, metres: none does that is farther away than
     /// [`SURF_SEEN_M`] and twice the eye's height, nor from [`SURF_HIGHEST_M`] on, where shaders let it go.
     pub fn shows_surf(&self, shore_m: f64) -> bool {
+        // A calm sea has no frequency to break with.
+        if self.sea.sea.hs_m == 0.0 {
+            return false;
+        }
         let altitude_m = self.camera.altitude_m.max(0.0);
         altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m
     }
