@@ -6,6 +6,9 @@
 #import cloud_layer
 #import light
 #import air
+#import spray
+
+const SPRAY = true;                     // where there is none its depth is none
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 72u;
@@ -18,6 +21,7 @@ const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in 
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
+const CLOSED_CLOUD = 4.0;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
 const CLOUD_OPACITY = 0.022;           // per metre, a deviation above the edge: what hides, not what darkens
 const OVER_HORIZON = 0.0004;            // radians that are surely above it, by the sphere's
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
@@ -30,8 +34,8 @@ fn cloud_pixel() -> f32 { return select(1.0, 0.5 * SCALE, SCALE > 1.0) * frame.p
 
 // Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
 fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: f32) -> vec3f {
-    let lit = 0.58 * exp(-optical_depth) * phase + 0.52 * exp(-0.2 * optical_depth) + 0.09;
-    return (sun * lit * 0.95 + sky * (0.55 + 0.45 * height)) / PI;
+    let lit = 0.6 * exp(-optical_depth) * phase + 0.44 * exp(-0.3 * optical_depth) + 0.08;
+    return (sun * lit * 0.95 + sky * (0.4 + 0.6 * height)) / PI;
 }
 
 // Light from the sun's side is stronger, of one that is isotropic.
@@ -69,6 +73,11 @@ fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
+    // Below them the air is in their shadow, among them in part.
+    let cover = cloud_cover(cloud_weather(frame.cloud_eye).x, frame.cloud_eye, 0.0);
+    let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
+    let clear = 1.0 - below * cover * cover;
+    let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.y - stretch.x, 0.0);
     let is_wide = GLOBE | (stretch.x * cloud_pixel() > WIDE_PIXEL);
@@ -108,7 +117,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
             let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-            let optical_depth = CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide | !FINE) * over * cloud.share * cloud.excess + 60.0 * met_excess);
+            let optical_depth = max(closed_ahead, CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide | !FINE) * over * cloud.share * cloud.excess + 60.0 * met_excess));
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, optical_depth, saturate(height), phase);
             way += veil.through * shade * sight;
@@ -128,12 +137,15 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     }
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
-    // Below them the air is in their shadow, among them in part.
-    let cover = in_cloud(vec2f(cloud_weather(frame.cloud_eye).x, CLOUD_VARIANCE), 0.0).share;
-    let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
-    let clear = 1.0 - below * cover * cover;
+    veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
     veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
-    return veil;
+    if GLOBE { return veil; }
+    // Before all of them stands the spray.
+    var light = daylight_at(frame.light.z);
+    light.air = clear;
+    let left = exp(-spray_before_sky(direction.z));
+    let spray = spray_light(light, vec3f(0.0, 0.0, 1.0), direction);
+    return before(Veil((1.0 - left) * spray, left), veil);
 }
 
 // Ice clouds between the eye and `far`.

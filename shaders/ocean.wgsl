@@ -160,7 +160,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         var seen = lace_at(foam_at, faced * footprint, 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
-            if SURF { shares = max(shares, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint)); }
+            if SURF { shares = max(shares, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z)); }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);
@@ -168,7 +168,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         foam = foam_of(shares.x, dense, calmed, seen, FINE);
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
-        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint).x); }
+        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, 0.0).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
     }
     let clear = daylight_at(dot(frame.light, up));

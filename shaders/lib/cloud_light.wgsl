@@ -3,6 +3,7 @@
 #import light
 
 const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
+const LET_THROUGH = 0.26;   // of the sun's light by closed clouds: a day under them has a quarter to a third of a clear one's light
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
 
 // Numbers 0...1 in 16 bits each: three at each node, `Shadow` of clouds.wgsl, the last node for the eye's foot; then four at each of those for what
@@ -30,7 +31,7 @@ fn in_net_of(place: vec3f, size: vec2u) -> InNet {
 fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
     let mu = max(mu_sun, 0.05);
     let cover = shadow.y;
-    let diffuse = 0.35 * light.sun * mu;
+    let diffuse = LET_THROUGH * light.sun * mu;
     return Daylight(light.sun * shadow.x, mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover, shadow.z);
 }
 
@@ -82,7 +83,7 @@ fn net_hidden(node: u32) -> vec4f {
 // `cover`: the share of clouds overhead, by which pictures go alone that mirror no single clouds. Who imports this declares FINE and CLOUDS
 // (src/pass/kind.rs), and MIRRORS_CLOUDS.
 fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32, up: vec3f) -> vec3f {
-    let cloudy = (0.35 * clear.sun * max(dot(frame.light, up), 0.0) + 0.8 * clear.sky) / PI;
+    let cloudy = seen_from_below(rise, cover * cover) * (LET_THROUGH * clear.sun * max(dot(frame.light, up), 0.0) + 0.5 * clear.sky) / PI;
     if !MIRRORS_CLOUDS { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
     let net = cloud_net_size();
     let at = in_net_of(place, mirror_net_size());

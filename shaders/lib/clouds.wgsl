@@ -111,6 +111,12 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
 fn cloud_edge(height: f32) -> f32 { return CLOUD_TALL * height * max(height, 0.0); }
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
+const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
+
+// Share of the sky over a place that is in cloud, given the weather and the place in clouds.
+fn cloud_cover(weather: f32, place: vec3f, footprint: Metres) -> f32 {
+    return in_cloud(cloud_level_of(weather, place, max(footprint, OVERHEAD), 0.0), 0.0).share;
+}
 
 // What clouds leave at a place of the sun's light; the share of them overhead; what of the light that is left comes from the sun's disc.
 struct Shadow { left: f32, cover: f32, disc: f32 }
@@ -121,7 +127,7 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let weather = cloud_weather(overhead).x;
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
-    let cover = in_cloud(vec2f(weather, CLOUD_VARIANCE), 0.0).share;
+    let cover = cloud_cover(weather, overhead, footprint);
     let left = 1.0 - cloud.share * (1.0 - through);
     // Clouds take five times as much from the disc itself.
     let squared = through * through;

@@ -45,6 +45,7 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f }
 
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
+const WIDEST_TONES: f32 = 0.2;     // of the widest, which from space are as wide as what imagery shows, and would lie over it like a fabric
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
 
 // Patches of what grows and lies there; as far as 100 m valleys, too, creased where the noise is none, between round hills. Their tones are not creased: on
@@ -59,7 +60,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         let shown = 1.0 - smoothstep(0.25, 0.7, footprint * exp2(f32(level)) / EARTH_TURN);
         let noise = map_noise_rise(place, level, level);
         let is_hill = level < 20u;
-        let height = shown * select(1.0, WIDE_TONES, is_hill) * noise.x;
+        let height = shown * select(select(1.0, WIDE_TONES, is_hill), WIDEST_TONES, level == 13u) * noise.x;
         detail.tone += height;
         detail.coarse += select(0.0, height, level < 22u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);

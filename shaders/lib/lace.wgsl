@@ -53,6 +53,8 @@ const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.25;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.06, 0.015, 8.0);
+// Below foam and film there are bubbles in the water: so many times their opacity.
+const BUBBLES_BELOW: f32 = 3.5;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
 const BUMPS = vec3f(0.026, 0.01, 0.005);
 const BUMPS_THIN: f32 = 0.4;
@@ -214,7 +216,7 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> 
         tilt += mix(BUMPS_THIN, -1.0, thick) * seen.bumps;
         open -= CREASE * thick * clamp(seen.crease, -2.0, 2.0);
     }
-    return Foam(white + faint, open, max(plume, 2.5 * min(faint, film)), shade_of(rise, thick, deviation, fine),
+    return Foam(white + faint, open, max(plume, saturate(BUBBLES_BELOW * (white + faint))), shade_of(rise, thick, deviation, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 

@@ -33,8 +33,17 @@ fn daylight_at(mu_sun: f32) -> Daylight {
 
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 const CLOUDED_AIR = 0.65;          // how much less colour the air has under clouds; ours
+const LIT_THROUGH = 0.5;           // light that clouds let through to the air below them, as they do to the ground (`shaded`)
 
-// Light of the air before something, of what it is under a clear sky: clouds light it with white light.
-fn lit_air(radiance: vec3f, clear: f32) -> vec3f { return mix(radiance, vec3f(dot(radiance, LUMINANCE)), CLOUDED_AIR * (1.0 - clear)); }
+// Light of the air before something, of what it is under a clear sky: closed clouds light it with less light, which is white.
+fn lit_air(radiance: vec3f, clear: f32) -> vec3f {
+    let white = mix(radiance, vec3f(dot(radiance, LUMINANCE)), CLOUDED_AIR);
+    return mix(LIT_THROUGH * white, radiance, clear);
+}
+
+// Radiance of closed clouds from below towards the sine `rise`, of the mean that lights level ground: light leaves a thick layer the less the more
+// askew, 2 + 3 sine in Eddington's approximation, so that an overcast sky is darkest at the horizon. `closed`: how far
+// clouds are, 0...1.
+fn seen_from_below(rise: f32, closed: f32) -> f32 { return mix(1.0, 0.5 + 0.75 * saturate(rise), closed); }
 
 fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

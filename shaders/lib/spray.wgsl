@@ -27,7 +27,7 @@ fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
     let behind = sky_at_sea(normalize(level + 0.02 * length(level) * up + 1e-6 * up), up);
     let down = light.sun * max(dot(frame.light, up), 0.0) + light.sky;
     let white = dot(behind, LUMINANCE) / max(dot(down, LUMINANCE), 1e-9) * down;
-    return SPRAY_LIGHT * mix(behind, white, SPRAY_WHITE);
+    return SPRAY_LIGHT * lit_air(mix(behind, white, SPRAY_WHITE), light.air);
 }
 
 // Radiance of a surface in that daylight, through spray and air.

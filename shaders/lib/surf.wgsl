@@ -2,6 +2,10 @@
 #import world
 #import shore_trains
 
+// How far a front is ahead of its mean where the lobes' level is one, and how soon it is white, seconds; how much sooner crests break there.
+const FRONT_LOBES: f32 = 0.3;
+const FRONT_RISES: f32 = 0.1;
+const ENDS_LOBES: f32 = 0.35;
 const SURF_WIDEST: Metres = 1500.0;   // no shore is so far from its surf
 
 // Height of the waves that come in to a shore at a place. For vertices: it changes slowly.
@@ -13,10 +17,17 @@ fn height_coming_in(sea: LocalSea, distance: Metres) -> Metres {
 }
 
 // Shares of the water under white water of any age, and under that of a crest that is just breaking: of the waves of the trains where these
-// show, elsewhere and from afar the mean. `incoming`: `height_coming_in`.
-fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres) -> vec2f {
+// show, elsewhere and from afar the mean. `incoming`: `height_coming_in`. `lobes`: a normal level of the water, by which fronts run ahead here and
+// stay behind there, and end raggedly along the crest.
+fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres, lobes: f32) -> vec2f {
     let deep = max(depth, 0.05);
     let period = frame.surf.x;
+    let celerity = sqrt(GRAVITY * deep);
+    let lobe = clamp(lobes, -2.0, 2.0);
+    let since = waves.age / period + FRONT_LOBES * lobe / period;
+    let age = period * (since - floor(since));
+    let front = smoothstep(0.0, max(1.5 * footprint / celerity, FRONT_RISES), age);
+    let bore = saturate(waves.bore * (1.0 + ENDS_LOBES * lobe));
     let lasts = frame.surf.wy;
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
     // The mean of all waves of a Rayleigh distribution (J. Battjes and J. Janssen 1978).
@@ -24,10 +35,10 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     let mean = breaking * lasts / period * (1.0 - exp(-period / lasts));
     // The white water of this crest, and of those before it, which have broken as often as those of this height do.
     let often = exp(-pow(frame.surf.z * deep / max(0.7071 * waves.height, 1e-3), 2.0));
-    let older = exp(-(waves.age + period) / lasts);
+    let older = exp(-(age + period) / lasts);
     // A wave that has just begun to break is white along its crest alone. Wider surf is white from where it begins, narrower less all over.
-    let torn = min(frame.shore.y, 1.0) * pow(waves.bore, 2.0 / max(frame.shore.y, 1.0));
-    let crests = 1.0 - (1.0 - torn * exp(-waves.age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
-    let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (sqrt(GRAVITY * deep) * period)));
+    let torn = min(frame.shore.y, 1.0) * pow(bore, 2.0 / max(frame.shore.y, 1.0));
+    let crests = 1.0 - (1.0 - front * torn * exp(-age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
+    let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (celerity * period)));
     return mix(mean, crests, near);
 }

@@ -49,6 +49,46 @@ fn an_overcast_sky_is_grey_and_so_is_the_sea_below_it() {
     assert!(blueness(grey_sea) < 0.5 * blueness(clear_sea), "{clear_sea:?} {grey_sea:?}");
 }
 
+/// Mean luminance of the sky with its clouds about the sine `rise`, before it is exposed.
+fn sky_at(renderer: &mut Renderer, heading: i32, rise: f64) -> f64 {
+    let tilt = 90.0 + rise.asin().to_degrees();
+    let view = format!("#view=35,-30,4,{heading},{tilt}&clouds=1&time=2026-06-21T14:00:00Z");
+    let state = render::parse_state(&view).unwrap();
+    let (frame, _) = render::draw(renderer, &state, SIZE, Output::Picture).unwrap();
+    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    // The rows about the middle.
+    let green = bytes.chunks_exact(8).skip(43 * 160).take(4 * 160);
+    let of = |texel: &[u8]| half::f16::from_le_bytes([texel[2], texel[3]]).to_f64();
+    green.map(of).sum::<f64>() / 640.0 / f64::from(frame.uniform.exposure)
+}
+
+#[test]
+fn an_overcast_sky_is_darker_towards_the_horizon() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // Away from the sun's side as much as towards it, since clouds are brighter there.
+    let mut of = |rise| (0..6).map(|i| sky_at(&mut renderer, 60 * i, rise)).sum::<f64>() / 6.0;
+    let [low, high] = [0.2, 0.9].map(&mut of);
+    println!("an overcast sky has {low:.4} at a sine of .2 and {high:.4} at .9: 1 to {:.2}", high / low);
+    // Before 0.60. Eddington's 2 + 3 sine: 1.81; the CIE's overcast sky, 1 + 2 sine: 2.00. Between heaps there are holes, which are bright, and haze.
+    assert!((1.05..2.0).contains(&(high / low)), "{low} {high}");
+}
+
+#[test]
+fn spray_stands_before_clouds() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut step = |grade: u32| {
+        let link = format!("#view=35.7,-14.3,12,262,90&clouds=0.6&bft={grade}&time=2026-11-20T12:00:00Z");
+        let pixels = picture(&mut renderer, &link, SIZE);
+        // The horizon lies across the middle.
+        let [above, below] = [41..44, 47..50].map(|rows| mean(&pixels, 160, rows)[1]);
+        (above - below).abs()
+    };
+    let [gale, hurricane] = [8, 12].map(&mut step);
+    println!("across the horizon the picture changes by {gale:.1} of 255 in a gale and {hurricane:.1} in a hurricane");
+    // Where one sees less than a kilometre there is no horizon: spray hides nearly all of the sky there, and of the sea below it all but what is near.
+    assert!(hurricane < 0.3 * gale, "{gale} {hurricane}");
+}
+
 #[test]
 fn clouds_cast_shadows() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();

@@ -49,7 +49,7 @@ fn net(quality: Quality, size: [u32; 2]) -> [u32; 2] {
 /// Heights between which an eye leaves the clouds' shadow, metres.
 const ABOVE_THEM_M: [f64; 2] = [900.0, 3_000.0];
 /// Part of daylight that clouds all over the sky take, as `shaded` of `shaders/lib/cloud_light.wgsl` has it.
-const TAKEN: f64 = 0.6;
+const TAKEN: f64 = 0.68;
 /// Share of what they take that a picture is exposed for, in stops: a grey day looks like one.
 const EXPOSED_FOR: f64 = 0.67;
 
