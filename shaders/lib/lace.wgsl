@@ -233,6 +233,8 @@ fn mean_foam(share: f32, dense_from: f32, calmed: f32, fine: bool) -> Foam {
     let threshold = max(normal_quantile(calmed * film_share()), quantile + FILM_AROUND);
     let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
-    return Foam(white + faint, 1.0, max(normal_share((above - 1.0) * inverseSqrt(1.25)), 2.5 * min(faint, film)), shade_of(rise, thick, deviation, fine),
+    // Bubbles are hidden where foam is dense.
+    let bubbles = saturate(0.5 * share + BUBBLES_BELOW * faint);
+    return Foam(white + faint, 1.0, max(normal_share((above - 1.0) * inverseSqrt(1.25)), bubbles), shade_of(rise, thick, deviation, fine),
         vec2f(0.0));
 }
