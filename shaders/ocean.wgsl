@@ -20,21 +20,27 @@
 const MIRRORS_CLOUDS = FINE;
 const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
+const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
+const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
+const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
 // Radiance of the scene in a pixel.
 fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
 
-// The pixel of the scene that shows a place on the bed: `own`, where something else stands before it. What lies beside the picture is taken to be
-// like what lies as far within: its rim, repeated, would be streaks.
+// The pixel of the scene that shows a place on the bed: `own`, where something else stands before it, or sky. What lies beside the picture is
+// taken to be like what lies within, the farther from its rim the farther beside, but never farther than FOLDS: the rim, repeated, would be
+// streaks, and what lies below an eye close over the water is many pictures away.
 fn pixel_of_bed(own: vec2u, place: vec3f) -> vec2u {
     let clip = frame.clip_from_local * vec4f(place, 1.0);
     let shown = (vec2f(0.5, -0.5) * clip.xy / max(clip.w, NEAR) + 0.5) * frame.viewport;
     let last = frame.viewport - 1.0;
-    let pixel = vec2u(clamp(last - abs(last - abs(shown)), vec2f(0.0), last));
-    let is_hidden = textureLoad(scene_depth, pixel, 0) * nearest_bed(0.9 * clip.w) > NEAR;
-    return select(pixel, own, is_hidden);
+    let within = clamp(shown, vec2f(0.0), last);
+    let beside = (shown - within) / (FOLDS * frame.viewport.y);
+    let pixel = vec2u(clamp(within - FOLDS * frame.viewport.y * beside / (1.0 + abs(beside)), vec2f(0.0), last));
+    let nearness = textureLoad(scene_depth, pixel, 0);
+    return select(pixel, own, (nearness * nearest_bed(0.9 * clip.w) > NEAR) | (nearness == 0.0));
 }
 
 struct Vertex {
@@ -114,8 +120,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let grazing = max(abs(dot(direction, up)), 0.002);
     let across = distance * frame.pixel_angle;
     var footprint = across / sqrt(grazing);
+    // From below the water is a mirror that turns twice as far as its slopes: as long as the pixel is along it, no slope must stand alone there.
+    if UNDER_WATER { footprint = across * clamp(MIRROR_PIXELS * right * down / (across * across), 1.0, LONGEST); }
     // The backs of crests are seen flatter than level water. All that they add to a pixel's area is along it.
-    if !MEASURED && !is_chord { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
+    if !MEASURED && !is_chord && !UNDER_WATER { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     // Pixels that the shore crosses show sea by its share of them.

@@ -3,6 +3,7 @@
 #import waves
 #import world
 #import held
+#import light
 
 @group(2) @binding(0) var below: texture_2d<f32>;
 
@@ -11,7 +12,9 @@ struct Vertex {
     @location(0) over: f32,            // metres of the lens above the water, straight up
 }
 
-const MENISCUS: f32 = 0.011;           // how high the water climbs, in heights of the picture; ours
+// How high water climbs up a wall: where z metres are over the level its surface stands at the angle t from the wall, z^2 / 2 = a^2 (1 - sin t)
+// (L. Landau and E. Lifshitz 1987, "Fluid Mechanics", section 61). On glass that is not quite clean t ends at 30 degrees, at a height of a.
+const CAPILLARY: Metres = 0.0027;      // a: the square root of surface tension over weight, (0.073 N/m / (1025 kg/m3 g))^(1/2)
 
 @vertex
 fn vertex(@location(0) grid: vec2f) -> Vertex {
@@ -34,33 +37,44 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
 fn standing(x: f32) -> f32 {
     let slow = sin(5.3 * x + 1.1) + sin(11.9 * x - 0.7);
     let quick = sin(29.0 * x + 2.0 * slow) + sin(67.0 * x - 3.0 * slow);
-    return max(0.75 + 0.22 * slow + 0.10 * quick, 0.2);
+    return 1.0 + 0.14 * slow + 0.04 * quick;
 }
 
-// The picture from below, as blurred as by the drop that it is seen through.
-fn through_drop(at: vec2f, along: vec2f) -> vec3f {
+const LOOKS = 8u;                      // at the picture from below, for what the meniscus mirrors
+const BLURRED = 0.02;                  // heights of the picture, across: so near the lens nothing is sharp; ours
+const ALL_MIRRORED = 0.707;            // of a: up to there, where 1 - sin t is 1/4, surfaces are beyond the critical angle
+const DARK_RIM = 0.4;                  // share of the light that is missing along the line, as in photographs; ours
+const BRIGHT_RIM = vec2f(0.86, 0.12);  // where along the upper edge the sky shines in, and how wide that is; ours
+const RIM_LIGHT = 0.35;                // of the sky's mean radiance
+
+// The picture from below as the meniscus mirrors it, 0...1 of the way up: what meets the surface at the angle t is turned down by twice what t lacks
+// of a right angle. So from the line up there is all, upside down, from what stands at the line to what lies under the lens, which the picture's lower edge
+// stands for. `line`: row of the line.
+fn mirrored(column: f32, line: f32, up: f32) -> vec3f {
     let last = vec2f(textureDimensions(below)) - 1.0;
-    var sum = vec3f(0.0);
-    for (var i = 0; i < 4; i++) {
-        sum += textureLoad(below, vec2u(clamp(at + (f32(i) - 1.5) * along, vec2f(0.0), last)), 0).rgb;
+    var sum = vec4f(0.0);
+    for (var i = 0u; i < LOOKS; i++) {
+        let from_line = (f32(i) + 0.5) / f32(LOOKS);
+        let off = (from_line - up) * 4.0;
+        let aside = BLURRED * frame.viewport.y * (f32((i * 3u) % LOOKS) / f32(LOOKS - 1u) - 0.5);
+        let seen = clamp(vec2f(column + aside, mix(line, last.y, from_line)), vec2f(0.0), last);
+        sum += exp(-off * off) * vec4f(textureLoad(below, vec2u(seen), 0).rgb, 1.0);
     }
-    return 0.25 * sum;
+    return sum.rgb / sum.a;
 }
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let rise = vec2f(dpdx(in.over), dpdy(in.over));
     let pixels = in.over / max(length(rise), 1e-6);
-    let tall = max(MENISCUS * frame.viewport.y, 2.0) * standing(in.position.x / frame.viewport.y);
+    let tall = max(CAPILLARY / (frame.lens * frame.pixel_angle) * standing(in.position.x / frame.viewport.y), 2.0);
     let climbed = pixels / tall;
     let wet = saturate(0.5 - pixels);
-    // Within the meniscus the water below is seen once more, upside down, drawn out and dim.
-    let down = -rise / max(length(rise), 1e-6);
-    let inside = max(climbed, 0.0);
-    let seen = in.position.xy + down * select(0.0, 5.0 * pixels + 4.0, pixels > 0.0);
-    let water = through_drop(seen, down * select(0.0, 2.0, pixels > 0.0));
-    let film = (1.0 - wet) * (1.0 - smoothstep(0.3, 1.0, inside));
-    // Just below the line the glass is wet by a wedge of water that turns the sight: the surface's own dark side is seen in it.
-    let wedge = 1.0 - 0.45 * exp(-2.5 * max(-climbed, 0.0));
-    return vec4f(water * (wet * wedge + 0.42 * film), wet + 0.9 * film);
+    let own = textureLoad(below, vec2u(in.position.xy), 0).rgb;
+    let film = (1.0 - wet) * (1.0 - smoothstep(ALL_MIRRORED, 1.0, climbed));
+    let dark = 1.0 - DARK_RIM * exp(-4.0 * climbed * climbed * select(1.0, 4.0, climbed < 0.0));
+    let water = mirrored(in.position.x, in.position.y + pixels, saturate(climbed / ALL_MIRRORED));
+    let off = (climbed - BRIGHT_RIM.x) / BRIGHT_RIM.y;
+    let sky = RIM_LIGHT * exp(-off * off) * daylight_at(frame.light.z).sky / PI * frame.exposure;
+    return vec4f((own * wet + water * film) * dark + sky * (1.0 - wet), wet + film);
 }

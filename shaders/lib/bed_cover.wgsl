@@ -56,14 +56,29 @@ fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres) -> BedCover {
     return BedCover(grass, begun.y * (1.0 - grass));
 }
 
-// As an eye in the water has it. `fine`: noises of 16, 4 and 1 m.
-fn bed_cover(place: vec2f, depth: Metres, fine: vec3f) -> BedCover {
-    let meadow = bed_noise(place, 256.0, 41u).z + 0.55 * bed_noise(place, 64.0, 42u).z + dot(fine, vec3f(0.30, 0.22, 0.12));
-    let reef = bed_noise(place, 128.0, 43u).z + 0.6 * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20));
-    return cover_of(meadow, reef, 0.0, depth);
+const BED_NOISE_DEVIATION = 0.2;         // of `bed_noise`
+const WIDE = vec4f(1.0, 1.0, 0.55, 0.6);       // parts of the noises over 256, 128, 64 and 32 m
+const MEADOWS_FINE = vec3f(0.30, 0.22, 0.12);  // and, of meadows, of those over 16, 4 and 1 m
+
+// How far a footprint shows either.
+fn wide_shown(footprint: Metres) -> vec4f { return vec4f(shown(footprint, 256.0), shown(footprint, 128.0), shown(footprint, 64.0), shown(footprint, 32.0)); }
+fn fine_shown(footprint: Metres) -> vec3f { return vec3f(shown(footprint, 16.0), shown(footprint, 4.0), shown(footprint, 1.0)); }
+
+// The noises of meadows and of reefs, as far as they are shown.
+fn meadow_and_reef(place: vec2f, wide: vec4f, fine: vec3f) -> vec2f {
+    return vec2f(wide.x * bed_noise(place, 256.0, 41u).z + WIDE.z * wide.z * bed_noise(place, 64.0, 42u).z + dot(fine, MEADOWS_FINE),
+        wide.y * bed_noise(place, 128.0, 43u).z + WIDE.w * wide.w * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20)));
 }
 
-const BED_NOISE_DEVIATION = 0.2;         // of `bed_noise`
+// As an eye in the water has it that sees so much of the bed in a pixel. `fine`: noises over 16, 4 and 1 m.
+fn bed_cover(place: vec2f, depth: Metres, fine: vec3f, footprint: Metres) -> BedCover {
+    let wide = wide_shown(footprint);
+    let near = fine_shown(footprint);
+    let noise = meadow_and_reef(place, wide, fine * near);
+    let hidden = length(vec2f(length(WIDE * (1.0 - wide)), length(MEADOWS_FINE * (1.0 - near))));
+    return cover_of(noise.x, noise.y, 1.5 * BED_NOISE_DEVIATION * hidden, depth);
+}
+
 const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows are many here and few there
 const APART_FROM: Metres = 12.0;
 const SPARSE = 0.09;                 // how wide the edges are between which meadows thin out, seen from above; of the noise
@@ -73,14 +88,12 @@ fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -
     // Beyond the polar circles nothing grows there.
     if point.square != MERCATOR || depth > BARE_FROM { return sand; }
     let place = pattern_place(point, vec2f(0.0));
-    let seen = vec4f(shown(footprint, 256.0), shown(footprint, 128.0), shown(footprint, 64.0), shown(footprint, 32.0));
-    let near = vec3f(shown(footprint, 16.0), shown(footprint, 4.0), shown(footprint, 1.0));
-    let fine = vec3f(bed_noise(place, 16.0, 31u).z, bed_noise(place, 4.0, 32u).z, bed_noise(place, 1.0, 33u).z) * near;
+    let wide = wide_shown(footprint);
+    let fine = vec3f(bed_noise(place, 16.0, 31u).z, bed_noise(place, 4.0, 32u).z, bed_noise(place, 1.0, 33u).z) * fine_shown(footprint);
     let regional = 0.9 * smoothstep(ALIKE_TO, APART_FROM, footprint) * vec2f(map_noise(point.at, 13u, 51u) - 0.5, map_noise(point.at, 15u, 52u) - 0.5);
-    let meadow = seen.x * bed_noise(place, 256.0, 41u).z + 0.55 * seen.z * bed_noise(place, 64.0, 42u).z + dot(fine, vec3f(0.30, 0.22, 0.12));
-    let reef = seen.y * bed_noise(place, 128.0, 43u).z + 0.6 * seen.w * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20));
-    let hidden = vec4f(1.0, 1.0, 0.55, 0.6) * (1.0 - seen);
-    let cover = cover_of(meadow + regional.x + regional.y, reef - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
-    let tone = 1.0 + 0.22 * fine.x + 0.3 * seen.z * bed_noise(place, 64.0, 45u).z;
+    let noise = meadow_and_reef(place, wide, fine);
+    let hidden = WIDE * (1.0 - wide);
+    let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
+    let tone = 1.0 + 0.22 * fine.x + 0.3 * wide.z * bed_noise(place, 64.0, 45u).z;
     return mix(mix(sand * tone, SEAGRASS, cover.grass), REEF, cover.rock);
 }

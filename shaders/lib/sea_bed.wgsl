@@ -70,7 +70,7 @@ fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
     let tone = 1.0 + 0.10 * ripple.z * calm + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
         + 0.12 * tiny.z * shown(footprint, 0.25);
     var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
-    let cover = bed_cover(place, depth, vec3f(broad.z, heaps.z, small.z));
+    let cover = bed_cover(place, depth, vec3f(broad.z, heaps.z, small.z), length(vec2f(pixel.across, length(pixel.along))));
     let grass = cover.grass;
     let rock = cover.rock;
     let blades = 0.5 + 1.1 * tiny.z * shown(footprint, 0.25) + 0.9 * small.z;

@@ -31,6 +31,7 @@ mod under_water;
 mod views;
 mod wall;
 mod water_colour;
+mod waterline;
 mod waves_on_a_beach;
 mod window;
 mod world_in_view;
