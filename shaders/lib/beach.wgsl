@@ -5,6 +5,7 @@
 #import waves
 
 const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
+const MOIST_SAND = 0.86;         // and of sand that spray and the last tide have left moist
 const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
@@ -27,8 +28,9 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let sheen = saturate(swash.shines);
     // Water that runs has ripples; what it leaves is a mirror.
     let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
-    let sand = dry * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
+    let moist = dry * mix(1.0, MOIST_SAND, sandy * (1.0 - swash.dry));
+    let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
-        Bed(dry, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
+        Bed(moist, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
     return mix(sand, film, sandy * max(sheen, swash.foam));
 }

@@ -12,9 +12,13 @@ const BEACH: Metres = 50.0;     // how wide beaches are as a rule
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
 
+const WIND_RIPPLES: Metres = 0.11;      // from crest to crest
+const RIPPLED_ALONG = vec2f(0.857, 0.515);      // a way that they lie across
 const STANDING = 0.8;            // share of a dome's slope that shades it: leaves are rough, and let light through
-const BENT = 0.8;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
+const BENT = 0.5;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
 const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
+const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
+const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -37,7 +41,7 @@ fn beach_width(at: vec2u) -> Metres {
 fn overgrown(inland: f32, tone: f32, footprint: Metres) -> f32 {
     // Each octave that does not show of a tone widens the edge.
     let hidden = sqrt(clamp(0.5 * log2(footprint / 0.15), 0.0, 8.0));
-    let edge = FRAYED * (0.12 + 0.25 * hidden);
+    let edge = FRAYED * (0.3 + 0.25 * hidden);
     return smoothstep(-edge, edge, inland - 1.0 + FRAYED * tone);
 }
 
@@ -48,16 +52,23 @@ struct Grain { tone: f32, slope: vec2f }
 fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
     let place = pattern_place(point, part);
     var found = Grain(0.0, vec2f(0.0));
+    var heaps = vec2f(0.0);
     var cell = 4.0;
     var salt = 73u;
     loop {
         let noise = shown(footprint, cell) * bed_noise(place, cell, salt);
         found.tone += 0.28 * noise.z;
-        found.slope += 0.08 * cell * noise.xy;
+        heaps = select(heaps, vec2f(noise.z, heaps.x), cell > 0.5);
+        found.slope += 0.055 * cell * noise.xy;
         cell *= 0.25;
         salt++;
         if cell < 0.015 || footprint > 0.6 * cell { break; }
     }
+    // Ripples that the wind has made, where it has: they fork where heaps bend them.
+    let rippled = shown(footprint, WIND_RIPPLES) * smoothstep(-0.1, 0.2, heaps.y + 0.3 * heaps.x);
+    let along = TURN * fract((dot(place, RIPPLED_ALONG) + 0.35 * heaps.x + 1.4 * heaps.y) / WIND_RIPPLES);
+    found.tone += 0.05 * rippled * sin(along);
+    found.slope += 0.14 * rippled * cos(along) * RIPPLED_ALONG;
     // The pattern is Mercator's.
     let on_map = select(0.0, 1.0, point.square == MERCATOR);
     return Grain(on_map * found.tone, on_map * found.slope);
@@ -82,6 +93,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
+    var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
     if FINE && SHOWS_COVER { grain = grain_at(point, part, footprint); }
     if IMAGERY {
@@ -90,18 +102,22 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
         sandy *= 1.0 - snowy;
         sand = mix(mix(SAND, ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff)), albedo, snowy);
         if FINE {
+            // What stands hides the ground between, the more so the flatter a sight is: what lies flat would be seen as streaks.
+            flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);
             let sunlight = sinking(point, -frame.light, up, 0.4);
             let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
-            grown = overgrown(inland, detail.tone + 1.5 * grain.tone, footprint);
+            let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
+            sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
+            grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
             // Much grows where it is dark.
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
             let above = max(-dot(direction, up), LEAST_SINKING) * distance;
             let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
-            standing = plants(bent, green, -detail.coarse, open, sight, sunlight, above, footprint);
+            standing = plants(bent, green, -detail.clumps, open, sight, sunlight, above, footprint);
             standing.shade = select(standing.shade, 0.0, is_bed);
-            albedo = detailed_albedo(albedo, green, detail, standing.tone);
+            albedo = detailed_albedo(albedo, green, detail, standing.tone, flat);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
             let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
@@ -122,13 +138,13 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
     if FINE && SHOWS_COVER && !is_bed {
-        albedo *= max(1.0 + mix(1.5, 1.0, bare) * grain.tone, 0.2);
+        albedo *= max(1.0 + mix(2.5 * flat, 1.0, bare) * grain.tone, 0.2);
         rises = mix(rises, grain.slope, bare);
     }
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
-    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.75 * standing.shade);
+    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
     // Valleys see less of the sky.
-    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.4 * standing.shade);
+    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
     return LitGround(normal, albedo, albedo / PI * (sun + ambient), sandy * (1.0 - grown));
 }
 

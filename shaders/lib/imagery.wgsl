@@ -42,7 +42,7 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 
 // What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,
 // the rise of small hills right and down on the map, as slopes of about one, and how far the octave of 76 m has bent the place, in units of the map.
-struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f }
+struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32 }
 
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
 const WIDEST_TONES: f32 = 0.2;     // of the widest, which from space are as wide as what imagery shows, and would lie over it like a fabric
@@ -53,7 +53,7 @@ const WARP: f32 = 0.08;            // how far an octave moves the next one, of i
 // the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
-    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0));
+    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0), vec4f(0.0), 0.0);
     var level = 13u;
     var place = at;
     loop {
@@ -62,7 +62,9 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         let is_hill = level < 20u;
         let height = shown * select(select(1.0, WIDE_TONES, is_hill), WIDEST_TONES, level == 13u) * noise.x;
         detail.tone += height;
-        detail.coarse += select(0.0, height, level < 22u);
+        detail.coarse += select(0.0, height, level < 20u);
+        detail.clumps = select(detail.clumps, vec4f(height), vec4u(level) == vec4u(19u, 21u, 23u, 25u));
+        detail.hue = select(detail.hue, shown * noise.y, level == 19u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
         let bends = WARP * noise.yz * f32(1u << (32u - level));
@@ -79,16 +81,20 @@ fn greenness(albedo: vec3f) -> f32 { return saturate(3.0 * (albedo.g - 0.5 * (al
 
 // Of domes' tones, of what they change of the albedo where it is bare, and where it is green.
 const SHRUB = vec3f(0.75, 0.6, 0.55);
-const CANOPY = vec3f(0.9, 0.75, 0.75);
+const CANOPY = vec3f(0.95, 0.78, 0.85);
+
+// How much of red, green and blue straw has more than what is green, where the hue is one.
+const STRAW = vec3f(0.10, 0.03, -0.10);
 
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, and what stands on it.
-fn detailed_albedo(albedo: vec3f, green: f32, detail: Detail, standing: f32) -> vec3f {
+fn detailed_albedo(albedo: vec3f, green: f32, detail: Detail, standing: f32, flat: f32) -> vec3f {
     let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
-    let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.90, 1.0), green) * (1.0 - 0.85 * whiteness);
+    let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.95, 1.0), green) * (1.0 - 0.85 * whiteness);
     // Groves and clearings differ more than the ground in them does. Odd in the tone, so that the mean stays none.
-    let of_all = detail.tone + 0.35 * detail.coarse;
+    let of_all = flat * detail.tone + (1.35 - flat) * detail.coarse;
     let tone = of_all / sqrt(1.0 + 0.8 * of_all * of_all);
     let patches = 2.2 * whiteness * (1.0 - whiteness) * tone;
     let stands = standing * (1.0 - whiteness) * mix(SHRUB, CANOPY, green);
-    return max(albedo * max((1.0 + tones * tone) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
+    let hue = 1.0 + green * clamp(detail.hue, -1.0, 1.0) * STRAW;
+    return max(albedo * hue * max((1.0 + tones * tone) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
 }

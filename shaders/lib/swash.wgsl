@@ -133,10 +133,11 @@ fn last_crests(trains: ptr<function, Arriving>, mean: f32, nothing: bool) -> Cre
 }
 
 // What swash makes of a place on a beach: how deep its water is, how far a pixel is under it, share of that under foam, how much of the sand
-// shines, and is dark, and lies under what the last flood has left, and how far the water has run since it came.
-struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, wrack: f32, run: Metres }
+// shines, and is dark, and is dry all through, and lies under what floods have left, and how far the water has run since it came.
+struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, dry: f32, wrack: f32, run: Metres }
 
 const SWASH_WIDEST: Metres = 60.0;         // no sheet comes so far; ours
+const DRY_FROM = 3.5;                 // of the reach of the fiftieth, from where sand is dry all through; ours
 const LULL = vec2f(0.02, 0.06);      // run-up of the fiftieth, m, below which there is none, and from which it is whole
 
 // `line`: the place on the waterline below the place, which is `x` m up the beach; `height`: of the waves that come in; `beta`: its slope; `sees`: what is no
@@ -160,7 +161,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
     let small = shown(sees, 0.5) * bed_noise(place, 0.5, 63u).z;
     let ragged = x + 0.9 * shown(sees, 2.0) * bed_noise(place, 2.0, 62u).z + 0.35 * small;
     let crests = last_crests(&trains, omega, nothing);
-    var sheet = Swash(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    var sheet = Swash(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     var k = 0u;
     loop {
         let age = crests.ages[k];
@@ -195,19 +196,28 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
         if (k == SWASH_CRESTS) | nothing { break; }
     }
     // Sand that waves have reached within the last minutes is dark.
+    // Cusps: horns and bays some 30 m apart, and how they differ along 100 m. They are one from the water to the dry sand.
+    let longer = shown(sees, 128.0) * bed_noise(line_place, 128.0, 68u).z;
+    let cusps = shown(sees, 32.0) * bed_noise(line_place, 32.0, 67u).z + 0.8 * longer;
+    let mottled = shown(sees, 8.0) * bed_noise(place, 8.0, 89u).z + 0.6 * shown(sees, 2.0) * bed_noise(place, 2.0, 68u).z;
     let uneven = 1.0 + 0.5 * shown(sees, 16.0) * bed_noise(place, 16.0, 67u).z + 0.12 * shown(sees, 2.0) * bed_noise(place, 2.0, 68u).z;
     let band = x / max(farthest * uneven, 1e-3);
     let wider = 0.5 * blur / max(farthest, 0.1);
-    let damp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * small);
+    // Where the band is a few pixels wide it would be a drawn line: what tides and rills make of it is seen as a gradient, faint here and dark there.
+    let from_afar = smoothstep(0.15, 0.6, sees / max(farthest, 0.1));
+    let sharp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * small);
+    let damp = mix(sharp, clamp(0.45 + 1.6 * longer, 0.1, 0.9) * exp(-0.9 * max(band, 0.0)), from_afar);
+    let dry = smoothstep(0.8, DRY_FROM, band + 1.2 * mottled);
     // Weed and shells lie where the highest waves have turned, in heaps and with gaps.
     let heaped = bed_noise(place, 8.0, 69u).z * shown(sees, 8.0) + bed_noise(place, 0.5, 70u).z * shown(sees, 0.5) + 0.7 * bed_noise(place, 0.125, 71u).z * shown(sees, 0.125);
-    let from_line = (band - 1.25) * farthest / (0.5 + width);
-    let wrack = exp(-from_line * from_line) * smoothstep(0.0, 0.35, heaped) / (1.0 + width);
+    let from_line = (band - vec3f(1.25, 1.9 + 0.4 * cusps, 2.8 + 0.8 * cusps)) * farthest / (vec3f(0.5, 0.35, 0.6) + width);
+    let wrack = dot(exp(-from_line * from_line), vec3f(1.0, 0.6, 0.4)) * smoothstep(0.0, 0.35, heaped) / (1.0 + width);
     // Where single waves do not show: what they are in the mean.
     let less = saturate(1.0 - band);
-    let mean = Swash(0.02 * less, less * less, 0.25 * less * less, less, damp, wrack, 0.0);
+    let mean = Swash(0.02 * less, less * less, 0.45 * less * less, less, damp, dry, wrack, 0.0);
+    let ashore = select(smoothstep(LULL.x, LULL.y, fiftieth), 0.0, x < 0.0);
     return Swash(is_on * mix(mean.film, sheet.film, near), is_on * mix(mean.covered, sheet.covered, near), is_on * mix(mean.foam, sheet.foam, near),
-        is_on * mix(mean.shines, sheet.shines, near), is_on * max(damp, near * sheet.shines), is_on * wrack, near * sheet.run);
+        is_on * mix(mean.shines, sheet.shines, near), ashore * max(damp, (1.0 - from_afar) * near * sheet.shines), mix(1.0, dry, ashore), ashore * wrack, near * sheet.run);
 }
 
 fn step_up(x: f32) -> f32 { return smoothstep(0.0, 0.6, x); }
