@@ -17,8 +17,10 @@ const OUTSET = mat3x3f(
 const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
 const BRIGHTEST = 2.8;            // white 1.2 stops sooner than his: clouds and foam are white in photographs
 
-// Contrast colour by colour draws colours apart; by so much they come together again, or deep water were ultramarine.
-const SATURATION = 0.88;
+// Cameras' green sees blue light, too: so much of what blue is more than green. Deep water is no ultramarine in photographs, and the sky azure.
+const BLUE_IN_GREEN = 0.13;
+// Contrast colour by colour draws colours apart; by so much they come together again.
+const SATURATION = 0.96;
 const LUMA = vec3f(0.2126, 0.7152, 0.0722);
 
 // The curve over the logarithm, 0...1 both, to the power of 1.55, which puts a grey card where it was: a fit of its own, within 0.02 of a
@@ -29,7 +31,9 @@ fn agx_curve(x: vec3f) -> vec3f {
 
 // Display values, 0...1, of exposed radiance.
 fn displayed(radiance: vec3f) -> vec3f {
-    let x = (log2(max(INSET * (BALANCE * radiance), vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
+    var seen = BALANCE * radiance;
+    seen.g += BLUE_IN_GREEN * max(seen.b - seen.g, 0.0);
+    let x = (log2(max(INSET * seen, vec3f(1e-10))) - DARKEST) / (BRIGHTEST - DARKEST);
     let toned = OUTSET * max(agx_curve(clamp(x, vec3f(0.0), vec3f(1.0))), vec3f(0.0));
     return clamp(mix(vec3f(dot(toned, LUMA)), toned, SATURATION), vec3f(0.0), vec3f(1.0));
 }

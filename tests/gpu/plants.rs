@@ -34,8 +34,7 @@ struct Asked {
 
 impl Asked {
     /// Half the cells of trees on green ground, from above, the sun in the zenith.
-    const TREES: Self =
-        Self { at: [0; 2], sight: [0.0; 2], sun: [0.0; 2], share: 0.5, green: 1.0, size: 1, unused: 0 };
+    const TREES: Self = Self { at: [0; 2], sight: [0.0; 2], sun: [0.0; 2], share: 0.5, green: 1.0, size: 1, unused: 0 };
 }
 
 /// Of each asked place: cover and tone as drawn, cover and tone as their means are said to be, shade, radius of the dome in the cell of that number.
@@ -72,9 +71,8 @@ fn plants_leave_the_grounds_mean() {
 #[test]
 fn slanted_sights_meet_more_of_what_stands_upright() {
     for turn in [[1.0, 0.0], [0.0, -1.0], [-0.6, 0.8]] {
-        let cover = [0.0, 1.5, 4.0].map(|far: f32| {
-            means(Asked { sight: turn.map(|x: f32| x * far), share: 0.3, size: 2, ..Asked::TREES })[0]
-        });
+        let cover = [0.0, 1.5, 4.0]
+            .map(|far: f32| means(Asked { sight: turn.map(|x: f32| x * far), share: 0.3, size: 2, ..Asked::TREES })[0]);
         println!("along {turn:?}: {cover:.3?} covered");
         // The shadow of a half ball, squeezed to 0.9, in light that goes 1.5 its way aside: an ellipse's half beyond the disc's, 1 and 1.25 of
         // it; 4: 1 and 2.1. Of teeth in the outline a quarter may be missing, and shadows overlap.
@@ -147,7 +145,9 @@ fn trees_stand_in_groups_and_most_are_small() {
     let mut stand: Vec<f32> = radii.iter().copied().filter(|r| *r > 0.0).collect();
     stand.sort_unstable_by(f32::total_cmp);
     let [median, large] = [50, 95].map(|percent| stand[percent * stand.len() / 100]);
-    println!("{mean:.2} of 4 cells, variance {variance:.2} for {single:.2}; radii {median:.3}, of a twentieth {large:.3}");
+    println!(
+        "{mean:.2} of 4 cells, variance {variance:.2} for {single:.2}; radii {median:.3}, of a twentieth {large:.3}"
+    );
     assert!(variance > 1.2 * single, "{variance} for {single}");
     assert!(large > 1.5 * median, "{median} and {large}");
 }

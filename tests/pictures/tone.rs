@@ -7,7 +7,8 @@ use ocean_globe::scene::frame::{Frame, Output};
 
 use crate::light::{DATA, luminance, with_sun_at};
 
-/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55.
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55,
+/// and a camera's green, which sees some of what is blue.
 pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     const INSET: [[f64; 3]; 3] = [
         [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
@@ -24,12 +25,13 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
         let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
         powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.55)
     };
-    let balanced = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
+    let mut balanced: [f64; 3] = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
+    balanced[1] += 0.13 * (balanced[2] - balanced[1]).max(0.0);
     let toned = times(INSET, balanced)
         .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
     let toned = times(OUTSET, toned);
     let grey = luminance(toned);
-    toned.map(|part| (grey + 0.88 * (part - grey)).clamp(0.0, 1.0))
+    toned.map(|part| (grey + 0.96 * (part - grey)).clamp(0.0, 1.0))
 }
 
 #[test]
