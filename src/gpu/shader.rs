@@ -4,7 +4,8 @@
 
 use std::collections::HashSet;
 
-use crate::scene::frame::uniform::{self, FoamLevel, FrameUniform, WaveAnchor, WaveCell};
+use crate::scene::frame::constants;
+use crate::scene::frame::uniform::{FoamLevel, FrameUniform, WaveAnchor, WaveCell};
 
 macro_rules! libraries {
     ($($name:literal),+ $(,)?) => { &[$(($name, include_str!(concat!("../../shaders/lib/", $name, ".wgsl")))),+] };
@@ -15,7 +16,7 @@ macro_rules! libraries {
 pub const LIBRARY: &[(&str, &str)] = libraries![
     "air", "air_coordinates", "atmosphere", "beach", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "caustic_map",
     "cloud_layer", "cloud_light", "cloud_noise", "clouds",
-    "cuboid", "domain", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "foam_light", "four_taps", "frame", "full_screen",
+    "cuboid", "domain", "domes", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "foam", "foam_light", "four_taps", "frame", "full_screen",
     "glow", "ground", "ground_colour", "ground_slope", "gusts", "hash", "held", "imagery", "lace", "lace_net", "light", "limb", "map", "no_glow", "noise", "normal",
     "output", "plants", "projected_grid", "relief", "rugged", "scattering", "sea_bed", "sea_mesh", "shelter", "shore_pixels", "shore_shape", "shore_trains", "sky", "sky_coordinates", "sparkle", "spot", "spray", "stockham",
     "sunlight", "surf", "swash", "translucence", "trigonometry", "under_water", "water", "water_types", "wave_patches", "waves", "window", "world",
@@ -40,7 +41,7 @@ fn unrolled(line: &str) -> Option<(usize, &str)> {
 
 /// The numbers and structs that Rust shares with the shaders.
 fn frame_memory() -> String {
-    [&uniform::shared_constants(), FoamLevel::WGSL, WaveAnchor::WGSL, WaveCell::WGSL, FrameUniform::WGSL].join("\n")
+    [&constants::shared_constants(), FoamLevel::WGSL, WaveAnchor::WGSL, WaveCell::WGSL, FrameUniform::WGSL].join("\n")
 }
 
 fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {

@@ -7,7 +7,7 @@ use super::due::Due;
 use crate::gpu::pipeline::{Bind, Compute};
 use crate::gpu::{Gpu, shader};
 use crate::model::clouds::{self, MAP_TEXELS, STORMS, Weather};
-use crate::scene::frame::uniform::clouds_field;
+use crate::scene::frame::constants::clouds_field;
 
 /// The composed shader.
 pub fn source() -> String {

@@ -24,6 +24,7 @@ use uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 
 pub mod bisection;
 pub mod clouds;
+pub mod constants;
 mod exposure;
 mod light;
 mod night;

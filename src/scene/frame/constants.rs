@@ -1,0 +1,128 @@
+//! Numbers that the CPU and the shaders must agree on, as WGSL constants: each stands once, in Rust, where it is explained.
+
+use super::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
+use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea};
+use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
+use crate::scene::sea::{foam, shelter, shores};
+
+/// All of them but those of single passes.
+pub fn shared_constants() -> String {
+    let bits = [
+        ("SHOWS_LAND", SHOWS_LAND),
+        ("SHOWS_SEA", SHOWS_SEA),
+        ("SHOWS_SKY", SHOWS_SKY),
+        ("MIRROR_NODES", super::clouds::MIRROR_NODES),
+        ("SHELTER_LEVELS", shelter::LEVELS as u32),
+        ("SHELTER_SIDE", shelter::SIDE as u32),
+    ];
+    let numbers = [
+        ("HELD_BY_DEPTH", HELD_BY_DEPTH),
+        ("LEAST_JACOBIAN", LEAST_JACOBIAN),
+        ("SHELTER_MOST_GAIN", sheltered_sea::MOST_GAIN),
+        ("SHELTER_LEAST_KNOWN", shelter::LEAST_KNOWN),
+        ("SHELTER_ON_LAND", shelter::ON_LAND),
+        ("LAKE_SHORE", lakes::SHORE_M),
+        ("LAKE_OF_MARGIN", lakes::OF_MARGIN),
+        ("RIVER_MARGIN", lakes::RIVER_MARGIN_M),
+        ("LAKE_RISE", lakes::SHORE_RISES[0]),
+        ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
+        ("FOAM_HIGHEST", foam::HIGHEST_M),
+        ("TOP", super::rim::AIR_M),
+        ("CLOUD_BASE", clouds::BASE_M),
+        ("ICE_HEIGHT", clouds::ICE_M),
+        ("SURF_SEEN", super::SURF_SEEN_M),
+        ("SURF_HIGHEST", super::SURF_HIGHEST_M),
+        ("USUAL_DENSITY", crate::scene::settings::USUAL_WATER_DENSITY_PER_M),
+    ];
+    let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));
+    let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
+    bits.concat()
+        + &numbers.concat()
+        + &clouds_field()
+        + &relief_numbers()
+        + &bed_numbers()
+        + &shores::shared_constants()
+}
+
+/// Those of the bed near shores.
+fn bed_numbers() -> String {
+    let numbers = [
+        ("USUAL_SLOPE", sea_bed::USUAL_SLOPE),
+        ("EQUATOR_TEXEL", sea_bed::EQUATOR_TEXEL_M),
+        ("BED_WIDEST", sea_bed::WIDEST_M),
+        ("BED_UNKNOWN", sea_bed::LEAST_M[0]),
+        ("BED_LEAST", sea_bed::LEAST_M[1]),
+        ("BED_LEAST_SHARE", sea_bed::LEAST_SHARE),
+        ("BERM", sea_bed::BERM_M),
+        ("DEAN_A", sea_bed::DEAN[0]),
+        ("DEAN_DEPTH", sea_bed::DEAN[1]),
+        ("DEAN_CELL", sea_bed::DEAN[2]),
+        ("SAND_LEAST", sea_bed::SAND[0]),
+        ("SAND_MOST", sea_bed::SAND[1]),
+        ("ROCKY_SLOPE", sea_bed::ROCKY_SLOPE),
+        ("ROCK_ADDS", sea_bed::ROCK[0]),
+        ("ROCK_MOST", sea_bed::ROCK[1]),
+        ("CLIFF_BEGINS", sea_bed::CLIFF[0]),
+        ("CLIFF_WHOLE", sea_bed::CLIFF[1]),
+        ("CLIFF_SLOPE", sea_bed::CLIFF_SLOPE),
+        ("ICE_BEGINS", sea_bed::ICE[0]),
+        ("ICE_WHOLE", sea_bed::ICE[1]),
+        ("FACE_LEAST", sea_bed::FACE[0]),
+        ("FACE_RISES", sea_bed::FACE[1]),
+    ];
+    numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n")).concat()
+}
+
+/// Those of the relief.
+fn relief_numbers() -> String {
+    let whole = [
+        ("RELIEF_BITS", relief::BROADEST_BITS),
+        ("RELIEF_BROAD", relief::BROAD),
+        ("RELIEF_OCTAVES", relief::OCTAVES),
+        ("RUGGED_LEVEL", rugged::LEVEL.into()),
+        ("RUGGED_SHORE_LEVEL", rugged::SHORE_LEVEL.into()),
+        ("RUGGED_ISLAND_LEVEL", rugged::ISLAND_LEVEL.into()),
+    ];
+    let numbers = [
+        ("RELIEF_UNITS", relief::UNITS_PER_M * relief::RADIUS_M),
+        ("RELIEF_MESH_FOOTPRINT", relief::MESH_FOOTPRINT_M),
+        ("RELIEF_FIRST", relief::BROAD_HEIGHTS[0]),
+        ("RELIEF_SECOND", relief::BROAD_HEIGHTS[1]),
+        ("RELIEF_FOLD", relief::FOLD),
+        ("RELIEF_FOLD_MEAN", relief::FOLD_MEAN),
+        ("RELIEF_NOISE_GAIN", relief::NOISE_GAIN),
+        ("RELIEF_WAVES", relief::WAVES),
+        ("RELIEF_JITTER", relief::JITTER),
+        ("RELIEF_LEVEL", relief::LEVEL),
+        ("RELIEF_GENTLE", relief::GENTLE[0]),
+        ("RELIEF_SLOPING", relief::GENTLE[1]),
+        ("RELIEF_GULLIED", relief::GULLIED_M),
+        ("RELIEF_DEEP", relief::DEEP),
+        ("RELIEF_STEEPEST", relief::STEEPEST),
+        ("RELIEF_FOLLOWS", relief::FOLLOWS),
+        ("RUGGED_GAIN", rugged::GAIN_M),
+        ("RUGGED_LIFT_GAIN", rugged::LIFT_GAIN),
+        ("RUGGED_ISLAND_RISE", rugged::ISLAND_RISE),
+        ("RUGGED_ISLAND_WIDE", rugged::ISLAND_WIDE_M),
+        ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
+        ("RUGGED_MOST", rugged::MOST_M),
+        ("RUGGED_LEAST_SLOPE", rugged::LEAST_SLOPE),
+        ("RUGGED_LOW", rugged::LOW_M),
+        ("RUGGED_OF_HEIGHT", rugged::OF_HEIGHT),
+        ("RUGGED_OF_MEAN", rugged::OF_MEAN),
+        ("RUGGED_ICE_SLOPE", rugged::ICE_SLOPE),
+        ("RUGGED_OCEAN_FADE", rugged::OCEAN_FADE_M),
+        ("RUGGED_LAKE_FADE", rugged::LAKE_FADE_M),
+        ("RUGGED_SEAM_FADE", rugged::SEAM_FADE),
+        ("RUGGED_HIGHEST", rugged::HIGHEST_M),
+    ];
+    let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
+    let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
+    whole.concat() + &numbers.concat()
+}
+
+/// Those of the clouds' field, which the map of their weather needs alone.
+pub fn clouds_field() -> String {
+    let (side, variance) = (clouds::MAP_TEXELS, clouds::FINE_VARIANCE);
+    format!("const CLOUD_SIDE = {side}u;\nconst CLOUD_VARIANCE: f32 = {variance:?};\n")
+}
