@@ -5,11 +5,14 @@ import { PNG } from "pngjs";
 /** A picture from PNG bytes: `width`, `height`, `data` (RGBA, rows from the top). */
 export const decode = (bytes) => PNG.sync.read(Buffer.from(bytes));
 
-/** What a pixel shows, by colour: dark space, sea (far more blue than green), land (not so, but for the haze before it), or something between. */
+/**
+ * What a pixel shows, by colour: dark space, sea (water swallows red, so that it sends far more blue than red, deep or turquoise), land (not
+ * so, but for the blue haze before it), or something between. Blue against red tells them apart in any light and any exposure.
+ */
 export function kindOf([r, g, b]) {
   if (r + g + b < 30) return "dark";
-  if (b > 1.3 * g) return "sea";
-  return b <= 1.15 * g ? "land" : "between";
+  if (b > 1.5 * r) return "sea";
+  return b <= 1.2 * r ? "land" : "between";
 }
 
 /** The colour at a place given as a share of width and height. */
