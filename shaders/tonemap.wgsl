@@ -1,6 +1,6 @@
 // From scene radiance to display: AgX, which takes the colour out of what is too bright for a display instead of clipping it
-// (T. Sobotka 2022; matrices and curve as fitted by B. Wrensch 2023, "Minimal AgX implementation"), for the whites of daylight, with more contrast,
-// and half a step of noise, so that no sky has bands.
+// (T. Sobotka 2022; matrices as given by B. Wrensch 2023, "Minimal AgX implementation"), with a curve of his kind that has the contrast and
+// the bright whites of cameras, and half a step of noise, so that no sky has bands.
 #import full_screen
 #import hash
 
@@ -14,8 +14,15 @@ const OUTSET = mat3x3f(
     1.19687900512017, -0.0528968517574562, -0.0529716355144438,
     -0.0980208811401368, 1.15190312990417, -0.0980434501171241,
     -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
-const DARKEST = -12.47393;       // of what the curve tells apart, as powers of two
-const BRIGHTEST = 2.8;            // white 1.2 stops sooner than his: clouds and foam are white in photographs
+// What the curve tells apart, as powers of two.
+const DARKEST = -12.47393;
+const BRIGHTEST = 4.026069;
+// The curve over the logarithm, 0...1 both: a line through the pivot that bends towards its ends, to 0 by a toe of the fourth power and to 1 by a
+// long shoulder, a hyperbola. A grey card is where AgX has it; white clouds and foam are white in photographs.
+const PIVOT = vec2f(0.7225, 0.78);
+const SLOPE = 2.9;
+const TOE = 0.783791;            // (0.78^-4 - (2.9 * 0.7225)^-4)^(-1/4)
+const SHOULDER = 0.302770;       // 1 / (1 / 0.22 - 1 / (2.9 * 0.2775))
 
 // Cameras' green sees blue light, too: so much of what blue is more than green. Deep water is no ultramarine in photographs, and the sky azure.
 const BLUE_IN_GREEN = 0.13;
@@ -23,10 +30,11 @@ const BLUE_IN_GREEN = 0.13;
 const SATURATION = 0.96;
 const LUMA = vec3f(0.2126, 0.7152, 0.0722);
 
-// The curve over the logarithm, 0...1 both, to the power of 1.55, which puts a grey card where it was: a fit of its own, within 0.02 of a
-// display's 255 steps, which spares a power for each colour.
 fn agx_curve(x: vec3f) -> vec3f {
-    return ((((((((-54.6698 * x + 224.496) * x - 340.306) * x + 232.073) * x - 72.0074) * x + 12.4422) * x - 1.11576) * x + 0.0830649) * x + 0.00344206) * x - 5.89484e-05;
+    let rise = SLOPE * (x - PIVOT.x);
+    let below = rise / TOE;
+    let square = below * below;
+    return PIVOT.y + rise * select(inverseSqrt(sqrt(1.0 + square * square)), 1.0 / (1.0 + rise / SHOULDER), rise > vec3f(0.0));
 }
 
 // Display values, 0...1, of exposed radiance.

@@ -106,6 +106,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
             flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);
+            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.wide);
             let sunlight = sinking(point, -frame.light, up, 0.4);
             let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
@@ -115,9 +116,9 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
             let above = max(-dot(direction, up), LEAST_SINKING) * distance;
             let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
-            standing = plants(bent, green, -detail.clumps, open, sight, sunlight, above, footprint);
+            standing = plants(bent, green, -detail.clumps, farm, open, sight, sunlight, above, footprint);
             standing.shade = select(standing.shade, 0.0, is_bed);
-            albedo = detailed_albedo(albedo, green, detail, standing.tone, flat);
+            albedo = detailed_albedo(albedo, green, farm, detail, standing.tone, flat);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
             let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));

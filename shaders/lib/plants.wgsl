@@ -21,9 +21,9 @@ fn share_of(size: u32, green: f32, clumps: vec4f) -> f32 {
     return clamp(mix(bare[size], lush[size], green) + mix(1.2, 2.0, green) * select(1.0, 1.8, size > 2u) * groups, 0.0, select(0.6, 0.95, size > 2u));
 }
 
-// What stands on ground that is so `green`; `clumps`: as of `share_of`. `open`: from 0 to 1 from a beach to where trees can grow; `sight` and `sun`: as of `domes`; `eye`: how high it is above the ground,
+// What stands on ground that is so `green`; `clumps`: as of `share_of`. `farm`: how far it is farmed, where few trees and shrubs are left. `open`: from 0 to 1 from a beach to where trees can grow; `sight` and `sun`: as of `domes`; `eye`: how high it is above the ground,
 // which is no more than a picture: there are no trees about an eye below their tops.
-fn plants(p: FinePoint, green: f32, clumps: vec4f, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres) -> Standing {
+fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres) -> Standing {
     var found = NOTHING_STANDS;
     var size = 0u;
     loop {
@@ -33,7 +33,7 @@ fn plants(p: FinePoint, green: f32, clumps: vec4f, open: f32, sight: vec2f, sun:
         let cell = EARTH_TURN * max(frame.cos_lat, 0.1) / exp2(f32(lattice.level)) / length(vec2f(lattice.turn));
         // Towards the beach groups become smaller and fewer.
         let grows = smoothstep(0.55 - 0.55 * small, 1.0 - 0.1 * small, open);
-        let share = smoothstep(1.2 * top, 3.0 * top, eye / cell) * max(share_of(size, green, clumps) + grows - 1.0, 0.0);
+        let share = smoothstep(1.2 * top, 3.0 * top, eye / cell) * (1.0 - select(0.0, 0.85 * farm, size < 3u)) * max(share_of(size, green, clumps) + grows - 1.0, 0.0);
         // Groves take the place of trees that do not show.
         let near = select(1.0, smoothstep(0.06, 0.17, footprint / cell), size == 0u);
         let whole = near * (1.0 - smoothstep(0.25, 0.7, footprint / cell));

@@ -7,8 +7,8 @@ use ocean_globe::scene::frame::{Frame, Output};
 
 use crate::light::{DATA, luminance, with_sun_at};
 
-/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices and polynomial, white at 2^2.8, contrast 1.55,
-/// and a camera's green, which sees some of what is blue.
+/// Display values, 0…1, of exposed radiance by AgX, in f64: B. Wrensch's matrices, a curve of T. Sobotka's kind through (0.7225, 0.78) with
+/// slope 2.9, a toe of power 4 and a shoulder of power 1, and a camera's green, which sees some of what is blue.
 pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     const INSET: [[f64; 3]; 3] = [
         [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
@@ -22,13 +22,15 @@ pub fn displayed(exposed: [f64; 3]) -> [f64; 3] {
     ];
     let times = |rows: [[f64; 3]; 3], v: [f64; 3]| rows.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>());
     let curve = |x: f64| {
-        let powers = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5];
-        powers.iter().rev().fold(0.0, |sum, factor| sum * x + factor).max(0.0).powf(1.55)
+        let (across, up, power) = if x > 0.7225 { (1.0 - 0.7225, 1.0 - 0.78, 1.0) } else { (0.7225, 0.78, 4.0) };
+        let scale = (f64::powf(up, -power) - f64::powf(2.9 * across, -power)).powf(-1.0 / power);
+        let rise = 2.9 * (x - 0.7225);
+        0.78 + rise / (1.0 + (rise.abs() / scale).powf(power)).powf(1.0 / power)
     };
     let mut balanced: [f64; 3] = std::array::from_fn(|part| BALANCE[part] * exposed[part]);
     balanced[1] += 0.13 * (balanced[2] - balanced[1]).max(0.0);
     let toned = times(INSET, balanced)
-        .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 2.8)).clamp(0.0, 1.0)));
+        .map(|part| curve(((part.max(1e-10).log2() + 12.47393) / (12.47393 + 4.026069)).clamp(0.0, 1.0)));
     let toned = times(OUTSET, toned);
     let grey = luminance(toned);
     toned.map(|part| (grey + 0.96 * (part - grey)).clamp(0.0, 1.0))
@@ -91,7 +93,7 @@ fn the_display_has_the_tone_of_agx() {
     println!("grey card {card:.1}");
     assert!((card - 141.0).abs() < 5.0, "{card}");
     // Ever brighter, up to white.
-    let ramp: Vec<f64> = (-120..=28).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
+    let ramp: Vec<f64> = (-120..=40).map(|step| displayed([2f64.powf(f64::from(step) / 10.0); 3])[0]).collect();
     assert!(ramp.windows(2).all(|pair| pair[1] > pair[0]) && ramp[0] < 0.01 && ramp[ramp.len() - 1] > 0.98);
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let size = [64, 36];

@@ -8,7 +8,7 @@ use crate::model::daylight;
 /// sky: half a clear sky of a quarter and half a sea of a twentieth of white ground's light are darker than the card's 18 hundredths.
 const BRIGHTER: f64 = 2.143_546_925_072_586;
 /// And for an eye in space, that clouds below it are white.
-const BRIGHTER_IN_SPACE: f64 = 1.7;
+const BRIGHTER_IN_SPACE: f64 = 1.3;
 /// Irradiance below which a picture is not exposed for all of the light that is missing, of the sun's beyond the air: an evening looks
 /// like one, and the sky about a low sun is not burnt.
 const EVENING: f64 = 0.5;
