@@ -8,9 +8,22 @@ const FIELDS_BENT = 0.06;         // how far their rows are bent by what is 4.9 
 const HEDGE = 0.035;              // half of a hedge's width, of a row's
 const HEDGED = 0.5;               // share of borders that have one
 const BORDERS = 1.625;            // borders beside a cell, of two that it could have: see `column_of`
+// What a bright field has more, and a ripe one of red, green and blue, and a hedge less, of the ground's mean.
+const FIELD_TONE = 0.30;
+const FIELD_HUE = vec3f(0.22, 0.02, -0.12);
+const HEDGE_TONE = 0.45;
 
 // `tone` and `ripe` from -1 to 1, and `hedge`, the share that hedges cover; the mean of each is none.
 struct Fields { tone: f32, ripe: f32, hedge: f32 }
+
+fn field_tones(fields: Fields) -> vec3f { return FIELD_TONE * fields.tone + FIELD_HUE * fields.ripe - HEDGE_TONE * fields.hedge; }
+
+// How far ground is farmed: level, neither a dark forest nor a desert, not too far north or south, and more of it here than there: woods and
+// heaths are left where `tillage` is low, in patches as wide as 5 and 1 km.
+fn farmed(albedo: vec3f, green: f32, slope: f32, sin_lat: f32, tillage: f32) -> f32 {
+    let suits = smoothstep(0.05, 0.08, albedo.g) * smoothstep(0.3, 0.6, green) * smoothstep(0.12, 0.05, slope) * smoothstep(0.90, 0.86, abs(sin_lat));
+    return suits * smoothstep(-0.14, 0.04, tillage);
+}
 
 // Which field of its row a cell is part of: one cell, two or, a quarter of them, four are tilled as one. 0.625 of the borders between cells are left.
 fn column_of(cell: vec2u) -> u32 {

@@ -106,7 +106,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
             flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);
-            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.wide);
+            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage);
             let sunlight = sinking(point, -frame.light, up, 0.4);
             let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);

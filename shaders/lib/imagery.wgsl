@@ -42,9 +42,9 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 }
 
 // What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,
-// the rise of small hills right and down on the map, as slopes of about one, how far the octave of 76 m has bent the place, in units of the map, the
-// rise of what is 5 and 1.2 km wide, which knows nothing of its tone, seen or not, and the fields.
-struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, wide: f32, fields: Fields }
+// the rise of small hills right and down on the map, as slopes of about one, how far the octave of 76 m has bent the place, in units of the map, what
+// chooses where farms lie, which knows nothing of the tones, and the fields.
+struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, tillage: f32, fields: Fields }
 
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
 const WIDEST_TONES: f32 = 0.2;     // of the widest, which from space are as wide as what imagery shows, and would lie over it like a fabric
@@ -73,7 +73,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         let bends = WARP * noise.yz * f32(1u << (32u - level));
         place = at + bitcast<vec2u>(vec2i(bends));
         bend = select(bend, noise.yz, level == 13u);
-        detail.wide += select(0.0, 0.5 * noise.y, level <= 15u);
+        detail.tillage += select(0.0, 0.5 * noise.y, level <= 15u);
         detail.bent = select(detail.bent, bends, level == 19u);
         level += 2u;
         if level > 27u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
@@ -92,18 +92,6 @@ const CANOPY = vec3f(0.95, 0.78, 0.85);
 // How much of red, green and blue straw has more than what is green, where the hue is one.
 const STRAW = vec3f(0.10, 0.03, -0.10);
 
-// How far ground is farmed: level, neither a dark forest nor a desert, not too far north or south, and more of it here than there: woods and
-// heaths are left in patches as wide as 5 and 1 km.
-fn farmed(albedo: vec3f, green: f32, slope: f32, sin_lat: f32, wide: f32) -> f32 {
-    let suits = smoothstep(0.05, 0.08, albedo.g) * smoothstep(0.3, 0.6, green) * smoothstep(0.12, 0.05, slope) * smoothstep(0.90, 0.86, abs(sin_lat));
-    return suits * smoothstep(-0.14, 0.04, wide);
-}
-
-// What a bright field has more, and a ripe one of red, green and blue, and a hedge less, of the mean.
-const FIELD_TONE = 0.30;
-const FIELD_HUE = vec3f(0.22, 0.02, -0.12);
-const HEDGE_TONE = 0.45;
-
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, fields, and what stands on it.
 fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, standing: f32, flat: f32) -> vec3f {
     let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
@@ -114,6 +102,6 @@ fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, standin
     let patches = 2.2 * whiteness * (1.0 - whiteness) * tone;
     let stands = standing * (1.0 - whiteness) * mix(SHRUB, CANOPY, green);
     let hue = 1.0 + green * clamp(detail.hue, -1.0, 1.0) * STRAW;
-    let field = 1.0 + farm * (FIELD_TONE * detail.fields.tone + FIELD_HUE * detail.fields.ripe - HEDGE_TONE * detail.fields.hedge);
+    let field = 1.0 + farm * field_tones(detail.fields);
     return max(albedo * hue * field * max((1.0 + tones * tone) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
 }
