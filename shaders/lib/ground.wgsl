@@ -18,6 +18,7 @@ const STANDING = 0.8;            // share of a dome's slope that shades it: leav
 const BENT = 0.5;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
 const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
 const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
+const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
@@ -106,7 +107,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
             flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
             let detail = ground_detail(point.at, footprint);
             let green = greenness(albedo);
-            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage);
+            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
             let sunlight = sinking(point, -frame.light, up, 0.4);
             let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
