@@ -21,21 +21,25 @@ const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in 
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
-const CLOSED_CLOUD = 4.0;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
-const CLOUD_OPACITY = 0.022;           // per metre, a deviation above the edge: what hides, not what darkens
+const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
+const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
+const CLOUD_SCATTERS = 0.0075;         // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are half as dense
+const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
 const OVER_HORIZON = 0.0004;            // radians that are surely above it, by the sphere's
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
 const CLOUD_GAPS: Metres = 120.0;
 const CLOUD_LEAST = 0.1;
 
-// Radians that a pixel drawn here hides. Between two of a smaller picture is interpolated.
-fn cloud_pixel() -> f32 { return select(1.0, 0.5 * SCALE, SCALE > 1.0) * frame.pixel_angle; }
+// Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
+fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
-// Light that a cloud sends on, of what falls on it: nearly all, in all directions, over the way that it has to go through it.
-fn cloud_source(sun: vec3f, sky: vec3f, optical_depth: f32, height: f32, phase: f32) -> vec3f {
-    let lit = 0.6 * exp(-optical_depth) * phase + 0.44 * exp(-0.3 * optical_depth) + 0.08;
-    return (sun * lit * 0.95 + sky * (0.4 + 0.6 * height)) / PI;
+// Light that a cloud sends on, of what falls on it, where its optical depth is `above` towards the sun and `below` to its base: that of two streams
+// that none of it is lost from (A. Schuster 1905), of which an eye sees the one that comes towards it, and what has met but one droplet.
+fn cloud_source(sun: vec3f, sky: vec3f, above: f32, below: f32, height: f32, phase: f32, rise: f32) -> vec3f {
+    let through = 1.0 / (1.0 + TWO_STREAMS * (above + below));
+    let lit = (TWO_STREAMS * below + saturate(0.5 + 3.0 * rise)) * through + 0.1 * exp(-above) * phase;
+    return (0.95 * sun * lit + sky * (0.3 + 0.6 * height)) / PI;
 }
 
 // Light from the sun's side is stronger, of one that is isotropic.
@@ -102,7 +106,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * cloud_pixel(), select(select(select(0.8, 0.4, is_wide), 0.2, is_fine) * step, max(0.3 * step, 60.0), is_lit));
+        let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.35, is_fine) * step, max(0.35 * step, 70.0), is_lit));
         let level = cloud_level(place, footprint, edge);
         let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
         let x = (level.x - edge) / deviation;
@@ -111,15 +115,20 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
         let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * cloud_pixel()), 1.0), 0.8), CLOUD_LEAST);
-        let opaque = cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds));
+        let opaque = min(cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds)), 0.9999);
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
-            let over = min((1.0 - height) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-            let optical_depth = max(closed_ahead, CLOUD_EXTINCTION * (select(1.1, 0.5, is_wide | !FINE) * over * cloud.share * cloud.excess + 60.0 * met_excess));
+            let top = min(sqrt((max(edge, 0.0) + cloud.excess) / CLOUD_TALL), 1.0);
+            // From space one sees the tops.
+            let risen = select(saturate(height), top, is_wide);
+            let over = min(max(top - risen, 0.0) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
+            let scatters = CLOUD_SCATTERS * mix(1.0, 0.5, smoothstep(1.0, 3.0, level.x));
+            let above = max(closed_ahead, scatters * (cloud.share * over + 60.0 * min(4.0 * met_excess, 1.0)));
+            let below = scatters * risen * (CLOUD_TOP - CLOUD_BASE);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
-            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, optical_depth, saturate(height), phase);
+            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, above, below, risen, phase, direction.z);
             way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
         }

@@ -11,7 +11,7 @@
 @group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
 
 const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
-const CLOUD_SOFT = 0.1;             // deviations over which its edge goes
+const CLOUD_SOFT = 0.06;            // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
@@ -60,7 +60,7 @@ fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> v
     var hidden = CLOUD_VARIANCE;
     var i = 0u;
     loop {
-        let shown = 1.0 - smoothstep(0.15, 0.6, footprint / cell);
+        let shown = 1.0 - smoothstep(0.2, 0.7, footprint / cell);
         let noise = cloud_noise(place / cell, i);
         sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
@@ -68,7 +68,7 @@ fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> v
         part *= CLOUD_FADE;
         i++;
         let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
-        if i == CLOUD_OCTAVES || footprint >= 0.6 * cell || is_certain { break; }
+        if i == CLOUD_OCTAVES || footprint >= 0.7 * cell || is_certain { break; }
     }
     return vec2f(sum, max(hidden, 0.0));
 }
@@ -90,8 +90,10 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
 // Optical depth of ice clouds straight up at a place: fibres, drawn out along the parallels and bent by the wind.
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let weather = cloud_weather(place).y;
-    let bent = place + 22000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
-    let drawn = vec3f(0.22, 0.22, 1.0);
+    let wind = place + 40000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
+    let curls = 2600.0 * (1.0 - smoothstep(0.15, 0.6, footprint / 14000.0));
+    let bent = wind + curls * vec3f(0.0, cloud_noise(place / 21000.0, 14u), cloud_noise(place / 14000.0, 15u));
+    let drawn = vec3f(0.3, 0.3, 1.0);
     var sum = weather;
     var cell = 16000.0;
     var part = 0.14;
@@ -104,7 +106,7 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
         if i == 5u || footprint >= 0.6 * cell { break; }
     }
     let above = max(sum, 0.0);
-    return 0.35 * above * above / (1.0 + above);
+    return 0.22 * above * above / (1.0 + 0.5 * above);
 }
 
 // The level above which a place at a height, 0 at the base and 1 at the top of the layer, is in cloud: clouds are domes on a level base.

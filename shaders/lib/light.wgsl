@@ -42,8 +42,8 @@ fn lit_air(radiance: vec3f, clear: f32) -> vec3f {
 }
 
 // Radiance of closed clouds from below towards the sine `rise`, of the mean that lights level ground: light leaves a thick layer the less the more
-// askew, 2 + 3 sine in Eddington's approximation, so that an overcast sky is darkest at the horizon. `closed`: how far
+// askew, 2 + 3 sine in Eddington's approximation and less of a sine where it is heaped, so that an overcast sky is darkest at the horizon. `closed`: how far
 // clouds are, 0...1.
-fn seen_from_below(rise: f32, closed: f32) -> f32 { return mix(1.0, 0.5 + 0.75 * saturate(rise), closed); }
+fn seen_from_below(rise: f32, closed: f32) -> f32 { return mix(1.0, 0.56 + 0.66 * saturate(rise), closed); }
 
 fn sun_irradiance_at(mu_sun: f32) -> vec3f { return SUN_IRRADIANCE * sunlight(0.0, mu_sun); }

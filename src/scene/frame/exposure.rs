@@ -21,7 +21,7 @@ const INTO_SUN: f64 = 1.9;
 /// Half of the sun's glow is left for each 0.02 of the sine that it has sunk.
 const GLOW_HALVED_BY: f64 = 0.02;
 /// Where half of the exposure is that of a picture from space, m.
-const SPACE_M: f64 = 400_000.0;
+const SPACE_M: f64 = 40_000.0;
 
 /// Factor from radiance (in units of the sun's irradiance beyond the air, per steradian) to what the display's tone is made of, for an eye
 /// at `altitude_m` over a place where the sine of the sun's elevation is `mu`.
