@@ -1,14 +1,14 @@
 // Sparkle: near the eye a pixel shows so few facets that those light it which happen to mirror the sun, not their mean. Their number is
 // binomial (T. Deliot and L. Belcour 2023); its mean over the water and over time is the glitter's. Facets are not alike: their brightness
-// is K-distributed, as that of radar's echoes off the sea is (E. Jakeman and P. Pusey 1976), and on some of the water they are larger and rarer.
+// is distributed exponentially, as speckle's is, and on half of the water they are larger and rarer.
 #import foam
 #import hash
 
 const FACET: Metres = 0.015;
-const MIRRORING: f32 = 0.15;       // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
-const FEWEST: f32 = 0.01;          // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
+const MIRRORING: f32 = 0.5;       // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
+const FEWEST: f32 = 0.03;          // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
 const MANY = vec2f(3e3, 1e4);      // from so many facets on their mean is seen
-const LARGE: f32 = 0.25;           // share of the water with large facets, each two squares wide, and how many there are of them
+const LARGE: f32 = 0.5;           // share of the water with large facets, each two squares wide, and how many there are of them
 const BY_NIGHT: f32 = 12.0;         // times as many are seen by moonlight: whoever sees so little light gathers it for longer
 const TWINKLE = 16u;               // facets turn away after 2^16 ticks of the clock, 1/16 s
 
@@ -48,13 +48,12 @@ fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
     let clock = frame.clock + (own & 0xffffu);
     let found = hash(vec3u(own, clock >> TWINKLE, 0x5eau));
     let turned = 1.0 - cos(6.283185307179586 * f32(clock & 0xffffu) / 65536.0);
-    // Two numbers that are distributed exponentially.
-    let bits = hash(vec3u(found, own, 0xb17u));
-    let lengths = log((vec2f(f32(bits & 0xffffu), f32(bits >> 16u)) + 0.5) / 65536.0);
-    let bright = lengths.x * lengths.y * select(1.0, round.x * round.y, is_large);
+    // Distributed exponentially.
+    let length = -log((f32(hash(vec3u(found, own, 0xb17u)) >> 8u) + 0.5) / 16777216.0);
+    let bright = length * select(1.0, round.x * round.y, is_large);
     let luck = 2.0 * sqrt(3.0) * (f32(found & 0xfffu) / 4095.0 - 0.5);
     let number = across * across / (grazing * FACET * FACET) * mix(BY_NIGHT, 1.0, frame.by_day);
-    return Facets(max(number, 1.0), f32(found >> 12u) / 1048576.0, luck, select(1.0, LARGE, is_large), bright, turned);
+    return Facets(max(number, 1.0), f32(found >> 12u) / 1048576.0, luck, select(1.0, 0.25, is_large), bright, turned);
 }
 
 // What the facets mirror, of the mean of facets of which slopes that mirror the sun have this chance.

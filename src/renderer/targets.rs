@@ -102,6 +102,7 @@ impl Targets {
         let drawn = Shape { samples, ..picture };
         let depth = |label, shape| texture::view(&gpu.texture(label, shape, DEPTH_FORMAT, T::RENDER_ATTACHMENT));
         let scene = texture::view(&gpu.texture("scene", picture, format, T::RENDER_ATTACHMENT));
+        let scene_depth = depth("scene depth", picture);
         let radiance = gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC);
         let view = texture::view(&radiance);
         let glow = (format == Radiance::Half.format()).then(|| {
@@ -110,12 +111,13 @@ impl Targets {
             (glow, group)
         });
         Self {
-            backdrop: passes.backdrops[usize::from(smooth)].read(gpu, &[wgpu::BindingResource::TextureView(&scene)]),
+            backdrop: passes.backdrops[usize::from(smooth)]
+                .read(gpu, &[&scene, &scene_depth].map(wgpu::BindingResource::TextureView)),
             plain: passes.plain.read(gpu, &[wgpu::BindingResource::TextureView(&view)]),
             glow,
             size,
             scene,
-            scene_depth: depth("scene depth", picture),
+            scene_depth,
             radiance,
             depth: depth("depth", drawn),
             samples: smooth.then(|| texture::view(&gpu.texture("samples", drawn, format, T::RENDER_ATTACHMENT))),

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use ocean_globe::data::streaming::Streaming;
-use ocean_globe::data::tile::{Projection, TileId, lat_lon_from_map};
+use ocean_globe::data::tile::{MapPoint, Projection, TileId, lat_lon_from_map};
 use ocean_globe::data::world::World;
 use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
@@ -45,6 +45,27 @@ fn places(id: TileId) -> impl Iterator<Item = (f64, f64)> {
 /// The tiles that a view draws.
 fn drawn_ids(camera: &Camera, streaming: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
     drawn_tiles(camera, SIZE, streaming, hiding, 1.0).into_iter().map(|tile| tile.id).collect()
+}
+
+#[test]
+fn more_tiles_than_there_is_room_for_are_loaded_as_far_as_there_is() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    // The roots of all maps have been seen, and stay.
+    let roots = Projection::ALL.map(|projection| TileId { projection, z: 0, x: 0, y: 0 });
+    let home = MapPoint::from_lat_lon(0.8, 0.15);
+    let deep = home.tile(7);
+    let many: Vec<_> = (0..400).map(|i| TileId { x: deep.x - 10 + i % 20, y: deep.y - 10 + i / 20, ..deep }).collect();
+    let start = Instant::now();
+    for tiles in [&roots[..], &many[..]] {
+        loop {
+            streaming.receive(&mut world);
+            if streaming.want(&mut world, tiles, 0.8, 0.15) {
+                break;
+            }
+            assert!(start.elapsed() < Duration::from_secs(60), "still loading {} tiles after a minute", tiles.len());
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
 }
 
 #[test]

@@ -31,6 +31,7 @@ mod shore_trains;
 mod slope_moments;
 mod sparkle;
 mod spray;
+mod stairs;
 #[path = "../shared/summed.rs"]
 mod summed;
 mod surface_sample;

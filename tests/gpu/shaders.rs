@@ -29,7 +29,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     let mut all = vec![
         ("transmittance_table.wgsl", air_table::sources()[0].clone()),
         ("multiple_table.wgsl", air_table::sources()[1].clone()),
-        ("backdrop.wgsl", backdrop::source()),
+        ("backdrop.wgsl", backdrop::source(true)),
         ("bisect.wgsl", bisect::source()),
         ("blit.wgsl", blit::source(false)),
         ("blit.wgsl", blit::source(true)),

@@ -74,14 +74,14 @@ fn sparkle_leaves_the_glitter_as_bright_as_it_is() {
         // Four deviations of the mean of as many; pixels that share a square are few.
         assert!((mean - 1.0).abs() < 0.002 + 4.0 * deviation / count.sqrt(), "{across} m, {chance}: {mean}");
         let facets = f64::from(across * across / 0.2 / (0.015 * 0.015)).max(1.0);
-        let lit = facets * f64::from(chance) * 0.15;
-        // Poisson's, while a few facets turn to the eye and away together: the product of two exponential numbers by 1 - cos, a mean square of
-        // 4 by 3/2. On a quarter of the water they are four times as rare, and brightest in the middle, by 6x(1 - x) on both axes: 1.2² more.
+        let lit = facets * f64::from(chance) * 0.5;
+        // Poisson's, while a few facets turn to the eye and away together: an exponential number by 1 - cos, a mean square of
+        // 2 by 3/2. On half of the water they are four times as rare, and brightest in the middle, by 6x(1 - x) on both axes: 1.2² more.
         let square = |lit: f64, own: f64| {
-            let lit = lit.max(0.01);
+            let lit = lit.max(0.03);
             (1.0 + 1.0 / lit) * (1.0 + (own - 1.0) / (1.0 + lit).powi(2))
         };
-        let wanted = (0.75 * square(lit, 6.0) + 0.25 * square(0.25 * lit, 6.0 * 1.44) - 1.0).sqrt();
+        let wanted = (0.5 * square(lit, 3.0) + 0.5 * square(0.25 * lit, 3.0 * 1.44) - 1.0).sqrt();
         assert!((deviation / wanted - 1.0).abs() < 0.1, "{across} m, {chance}: {deviation}, not {wanted}");
     }
 }

@@ -17,6 +17,9 @@ use residency::Residency;
 /// Slots of each atlas; WebGPU promises 256 layers. 48 MiB each.
 pub const ATLAS_SLOTS: u32 = 192;
 
+/// Tiles of a layer that are asked for at once, at most: slot 0 is kept, and the roots of maps that are not in view keep theirs.
+const MOST_WANTED: usize = ATLAS_SLOTS as usize - Projection::ALL.len();
+
 /// A tile that has come, for a slot of its layer's atlas.
 pub struct Upload {
     /// Which atlas.
@@ -103,7 +106,7 @@ impl Streaming {
                 exists[map] && id.z <= deepest[map] && !residency.lacks(id)
             });
             // The coarse ones first; what the atlas cannot hold is shown through its parents.
-            let there: Vec<TileId> = there.take(ATLAS_SLOTS as usize - 1).copied().collect();
+            let there: Vec<TileId> = there.take(MOST_WANTED).copied().collect();
             for id in there {
                 if residency.want(id, self.frame) {
                     world.request(layer, id);
