@@ -4,8 +4,7 @@
 #import swash
 #import waves
 
-const WET_SAND = 0.6;            // reflectance of wet sand over that of dry sand
-const MOIST_SAND = 0.86;         // and of sand that spray and the last tide have left moist
+const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
 const BEACH_KIND = 2.5;          // of the water that runs up beaches

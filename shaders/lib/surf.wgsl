@@ -42,3 +42,8 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (celerity * period)));
     return mix(mean, crests, near);
 }
+
+const STRANDS = vec2f(6.0, 2.5);      // metres of the waterline within which foam thins, and how raggedly: `lobes`
+
+// How much of the white water comes as far: the last of it strands, and the water between two waves is clear.
+fn at_waterline(shore: Metres, lobes: f32) -> f32 { return mix(0.15, 1.0, smoothstep(0.0, STRANDS.x, shore + STRANDS.y * clamp(lobes, -1.0, 2.0))); }
