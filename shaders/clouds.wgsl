@@ -78,7 +78,7 @@ fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
     // Below them the air is in their shadow, among them in part.
-    let cover = cloud_cover(cloud_weather(frame.cloud_eye).x, frame.cloud_eye, 0.0);
+    let cover = cloud_cover(cloud_weather(frame.cloud_eye), frame.cloud_eye, 0.0);
     let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
     let clear = 1.0 - below * cover * cover;
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));

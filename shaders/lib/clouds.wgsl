@@ -51,13 +51,18 @@ fn cloud_weather(place: vec3f) -> vec2f {
 // Deviations of what is left of the field beyond which it is certain whether a place is in cloud.
 const CLOUD_CERTAIN = 3.5;
 
+// How much of the octaves there is at a place, of mean square 1: fields of small heaps here, sheets and wide gaps there, as the ice clouds' weather goes.
+fn heaped(weather: vec2f) -> f32 { return 0.25 + 1.27 * normal_share(1.3 * (weather.y - frame.cloud_shift + 0.6)); }
+
 // The level of water clouds at a place, and the variance that a footprint hides of it, or that cannot bring it to the other side of `edge`;
-// `weather`: that of water clouds there. As in lib/waves.wgsl, the loop ends at its foot.
-fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
-    var sum = weather;
+// `weather`: the levels of it there. As in lib/waves.wgsl, the loop ends at its foot.
+fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
+    var sum = weather.x;
     var cell = CLOUD_WIDEST;
-    var part = CLOUD_VARIANCE * (1.0 - CLOUD_FADE) / (1.0 - pow(CLOUD_FADE, f32(CLOUD_OCTAVES)));
-    var hidden = CLOUD_VARIANCE;
+    let heaps = heaped(weather);
+    let variance = CLOUD_VARIANCE * heaps * heaps;
+    var part = variance * (1.0 - CLOUD_FADE) / (1.0 - pow(CLOUD_FADE, f32(CLOUD_OCTAVES)));
+    var hidden = variance;
     var i = 0u;
     loop {
         let shown = 1.0 - smoothstep(0.2, 0.7, footprint / cell);
@@ -74,7 +79,7 @@ fn cloud_level_of(weather: f32, place: vec3f, footprint: Metres, edge: f32) -> v
 }
 
 fn cloud_level(place: vec3f, footprint: Metres, edge: f32) -> vec2f {
-    return cloud_level_of(cloud_weather(place).x, place, footprint, edge);
+    return cloud_level_of(cloud_weather(place), place, footprint, edge);
 }
 
 // What a footprint sees of clouds: the share that is in one, and how far, in the mean of these, the level lies above the edge there.
@@ -116,7 +121,7 @@ const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
 
 // Share of the sky over a place that is in cloud, given the weather and the place in clouds.
-fn cloud_cover(weather: f32, place: vec3f, footprint: Metres) -> f32 {
+fn cloud_cover(weather: vec2f, place: vec3f, footprint: Metres) -> f32 {
     return in_cloud(cloud_level_of(weather, place, max(footprint, OVERHEAD), 0.0), 0.0).share;
 }
 
@@ -126,7 +131,7 @@ struct Shadow { left: f32, cover: f32, disc: f32 }
 fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let mu = max(dot(frame.light, up), 0.05);
     let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
-    let weather = cloud_weather(overhead).x;
+    let weather = cloud_weather(overhead);
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
     let cover = cloud_cover(weather, overhead, footprint);

@@ -115,8 +115,8 @@ fn clouds_cast_shadows() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     let mut ratios = Vec::new();
     for place in 0..48 {
-        // The Sahara from 300 m, straight down, at noon.
-        let (lat, lon) = (20.0 + 0.13 * f64::from(place % 8), 3.0 + 0.9 * f64::from(place / 8));
+        // The Sahara from 300 m, straight down, at noon: as wide as several weathers.
+        let (lat, lon) = (20.0 + 1.1 * f64::from(place % 8), -4.0 + 5.0 * f64::from(place / 8));
         let mut of = |clouds| {
             let link = format!("#view={lat},{lon},300,0,0&quality=low&time=2026-06-21T11:40:00Z&clouds={clouds}");
             let state = render::parse_state(&link).unwrap();

@@ -41,7 +41,7 @@ pub const VIEWS: [View; 14] = [
         id: "islands",
         widget: "viewIslands",
         title: "30 km",
-        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.3&time=2026-11-26T12:30:00Z",
+        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.45&time=2026-11-26T12:30:00Z",
     },
     View {
         id: "lagoon",
@@ -77,7 +77,7 @@ pub const VIEWS: [View; 14] = [
         id: "gale",
         widget: "viewGale",
         title: "gale",
-        fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.15&time=2026-11-26T12:00:00Z",
+        fragment: "view=35.6812,-14.25,2,262,83&ride=1&bft=8&clouds=0.25&time=2026-11-26T12:00:00Z",
     },
     View {
         id: "hurricane",
