@@ -51,8 +51,13 @@ fn cloud_weather(place: vec3f) -> vec2f {
 // Deviations of what is left of the field beyond which it is certain whether a place is in cloud.
 const CLOUD_CERTAIN = 3.5;
 
-// How much of the octaves there is at a place, of mean square 1: fields of small heaps here, sheets and wide gaps there, as the ice clouds' weather goes.
-fn heaped(weather: vec2f) -> f32 { return 0.25 + 1.27 * normal_share(1.3 * (weather.y - frame.cloud_shift + 0.6)); }
+// How much of the octaves there is, at least, and how much more, times a number that is evenly spread from 0 to 1: a mean square of about 1.
+const HEAPED = vec2f(0.25, 1.27);
+// The ice clouds' level about its mean, by which that number goes: by its usual value and deviation.
+const HEAPED_BY = vec2f(-0.6, 0.77);
+
+// How much of the octaves there is at a place: fields of small heaps here, sheets and wide gaps there.
+fn heaped(weather: vec2f) -> f32 { return HEAPED.x + HEAPED.y * normal_share((weather.y - frame.cloud_shift - HEAPED_BY.x) / HEAPED_BY.y); }
 
 // The level of water clouds at a place, and the variance that a footprint hides of it, or that cannot bring it to the other side of `edge`;
 // `weather`: the levels of it there. As in lib/waves.wgsl, the loop ends at its foot.

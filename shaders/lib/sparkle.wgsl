@@ -5,10 +5,11 @@
 #import hash
 
 const FACET: Metres = 0.015;
-const MIRRORING: f32 = 0.5;       // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
+const MIRRORING: f32 = 0.5;        // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
 const FEWEST: f32 = 0.03;          // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
 const MANY = vec2f(3e3, 1e4);      // from so many facets on their mean is seen
-const LARGE: f32 = 0.5;           // share of the water with large facets, each two squares wide, and how many there are of them
+const LARGE: f32 = 0.5;            // share of the water with large facets, each two squares wide
+const RARER: f32 = 0.25;           // and how many there are of them
 const BY_NIGHT: f32 = 12.0;         // times as many are seen by moonlight: whoever sees so little light gathers it for longer
 const TWINKLE = 16u;               // facets turn away after 2^16 ticks of the clock, 1/16 s
 
@@ -53,7 +54,7 @@ fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
     let bright = length * select(1.0, round.x * round.y, is_large);
     let luck = 2.0 * sqrt(3.0) * (f32(found & 0xfffu) / 4095.0 - 0.5);
     let number = across * across / (grazing * FACET * FACET) * mix(BY_NIGHT, 1.0, frame.by_day);
-    return Facets(max(number, 1.0), f32(found >> 12u) / 1048576.0, luck, select(1.0, 0.25, is_large), bright, turned);
+    return Facets(max(number, 1.0), f32(found >> 12u) / 1048576.0, luck, select(1.0, RARER, is_large), bright, turned);
 }
 
 // What the facets mirror, of the mean of facets of which slopes that mirror the sun have this chance.
