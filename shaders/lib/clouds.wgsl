@@ -100,8 +100,8 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
 // Optical depth of ice clouds straight up at a place: fibres, drawn out along the parallels and bent by the wind.
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let weather = cloud_weather(place).y;
-    let wind = place + 40000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
-    let curls = 2600.0 * (1.0 - smoothstep(0.15, 0.6, footprint / 14000.0));
+    let wind = place + 30000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
+    let curls = 1500.0 * (1.0 - smoothstep(0.15, 0.6, footprint / 14000.0));
     let bent = wind + curls * vec3f(0.0, cloud_noise(place / 21000.0, 14u), cloud_noise(place / 14000.0, 15u));
     let drawn = vec3f(0.3, 0.3, 1.0);
     var sum = weather;

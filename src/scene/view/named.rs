@@ -59,7 +59,7 @@ pub const VIEWS: [View; 14] = [
         id: "bridge",
         widget: "viewBridge",
         title: "a storm from the bridge, 15 m",
-        fragment: "view=-52,60,15,280,82&bft=10&clouds=0.7&time=2026-12-21T09:00:00Z",
+        fragment: "view=-52,60,15,230,82&bft=10&clouds=0.7&time=2026-12-21T09:00:00Z",
     },
     View {
         id: "calm",
