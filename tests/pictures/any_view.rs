@@ -98,3 +98,16 @@ fn sea_is_where_the_ellipsoid_is_and_not_in_the_sky() {
 fn sea_is_where_the_ellipsoid_is_in_three_hundred_views_on_either_mesh() {
     look(300, 1);
 }
+
+#[test]
+fn coasts_are_drawn_from_any_height() {
+    let mut renderer = headless("www/data", Radiance::Single).unwrap();
+    // The Canaries, where from 4.5 km on no train of waves is near enough to be seen, and surf is up to 20 km.
+    for altitude_m in [1_000, 4_000, 5_000, 9_000, 19_000, 30_000] {
+        let link = format!("#view=28.825,-13.79,{altitude_m},285,60&clouds=0&quality=medium&time=2026-11-20T09:00:00Z");
+        let state = parse_state(&link).unwrap();
+        let values = measure(&mut renderer, &state, SIZE, LayerName::Radiance).unwrap().values;
+        let missing = values.iter().filter(|value| !value.is_finite()).count();
+        assert_eq!(missing, 0, "of {} numbers from {altitude_m} m", values.len());
+    }
+}

@@ -208,6 +208,8 @@ impl Shores {
         let mut words = [[0; 2]; NODES];
         // A sea without trains has none of their energy: they reach no eye.
         words[0] = [1f32, 1e-3].map(f32::to_bits);
+        // Shaders divide by their frequencies.
+        (0..TRAINS).for_each(|train| words[1 + 2 * train] = [1f32, 0.0].map(f32::to_bits));
         // Tiles of no window.
         words[TABLE..TABLE + 64].fill([u32::MAX, 0]);
         let (Some(trains), false) = (&self.trains, self.wanted.is_empty()) else { return words };

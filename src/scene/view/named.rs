@@ -41,7 +41,7 @@ pub const VIEWS: [View; 14] = [
         id: "islands",
         widget: "viewIslands",
         title: "30 km",
-        fragment: "view=29.25,-13.78,30000,184,56&clouds=0.45&time=2026-11-26T12:30:00Z",
+        fragment: "view=29.25,-13.78,30000,184,56&time=2026-11-26T12:30:00Z",
     },
     View {
         id: "lagoon",
