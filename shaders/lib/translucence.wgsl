@@ -9,6 +9,7 @@ const FORWARD: f32 = 0.75;         // asymmetry of what scatters in the water, a
 const SCATTERED: f32 = 0.06;       // by open water, per metre
 const SCATTERED_BY_PLUMES: f32 = 0.3;
 const ENTERING: f32 = 0.95;        // of sunlight into water, through the back of a crest
+const LEAST_REFRACTED: f32 = 0.66; // sine of the elevation, in water, of a sun on the horizon
 
 fn forward_phase(c: f32) -> f32 {
     let d = 1.0 + FORWARD * FORWARD - 2.0 * FORWARD * c;
@@ -36,7 +37,8 @@ fn crest_light(direction: vec3f, normal: vec3f, up: vec3f, ahead: vec2f, kind: f
     let over = -begins * begins / (6.0 * bend);
 
     let to_sun = -into_water(-frame.light, up);
-    let mu = dot(to_sun, up);
+    // A sun deep below the horizon, which has no light, would stand below it in the water, too.
+    let mu = max(dot(to_sun, up), LEAST_REFRACTED);
     let lost = attenuation(kind);
     let crest = forward_phase(dot(to_sun, inside)) * exp(-lost * over / mu) * (vec3f(1.0) - exp(-lost * way)) / lost;
     // What the same sight of level water holds already.

@@ -201,3 +201,16 @@ fn the_milky_way_lies_along_the_galaxy() {
     // Three steps of each colour are seen beside none.
     assert!(middle >= 9 && pole == 0, "{middle}, {pole}");
 }
+
+#[test]
+fn a_moonless_midnight_has_a_sea() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // The sun 5, 40 and 75 degrees below the horizon, the moon below it, too.
+    for time in ["2026-05-15T18:45:00Z", "2026-05-15T21:30:00Z", "2026-05-16T00:00:00Z"] {
+        let link = format!("#view=5,0,10,10,80&clouds=0&bft=4&quality=medium&time={time}");
+        let state = render::parse_state(&link).unwrap();
+        let values = render::measure(&mut renderer, &state, [64, 36], LayerName::Radiance).unwrap().values;
+        let missing = values.iter().filter(|value| !value.is_finite()).count();
+        assert_eq!(missing, 0, "of {} numbers at {time}", values.len());
+    }
+}
