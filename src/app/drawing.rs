@@ -168,24 +168,27 @@ impl Drawing {
         }
         wanted.effort = self.effort(wish, motion);
         if self.shown.as_ref() == Some(&wanted) {
-            let waits_for_tiles = !self.renderer.is_replaying();
-            if !self.is_loading()
-                || (waits_for_tiles && (now - self.begun_s) * 1000.0 * SETTLING_SHARE < self.picture_ms)
-            {
+            if !self.is_loading() {
+                return None;
+            }
+            let is_early = (now - self.begun_s) * 1000.0 * SETTLING_SHARE < self.picture_ms;
+            if is_early && !self.renderer.is_replaying() && !self.loads(&wanted) {
                 return None;
             }
         }
         Some((wanted, motion))
     }
 
+    /// Works on what a full picture of this needs of the world; true when all of it is here.
+    fn loads(&mut self, wanted: &Shown) -> bool {
+        let frame = self.renderer.frame(&wanted.settings, &wanted.camera, wanted.unix_seconds, wanted.canvas);
+        self.renderer.load(&frame)
+    }
+
     /// Whether a full picture of this would soon be replaced: map tiles or the foam's past are to come.
     fn is_unready(&mut self, wanted: &Shown) -> bool {
-        let frame = self.renderer.frame(&wanted.settings, &wanted.camera, wanted.unix_seconds, wanted.canvas);
         let other_waves = self.shown.as_ref().is_none_or(|shown| shown.effort.quality != wanted.effort.quality);
-        !self.renderer.load(&frame)
-            || self.renderer.world_mut().pending() > 0
-            || other_waves
-            || self.renderer.is_replaying()
+        !self.loads(wanted) || self.renderer.world_mut().pending() > 0 || other_waves || self.renderer.is_replaying()
     }
 
     fn submit(&mut self, wanted: &Shown, settings: &Settings, wake: impl FnOnce() + Send + 'static) {

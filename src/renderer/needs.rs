@@ -14,18 +14,18 @@ use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 
-/// Seconds that a frame may spend on finding where land stands in the sea's way, of a moving picture and of a still one.
-const SHELTER_S: [f64; 2] = [0.003, 0.03];
-/// For how long a frame of a program may make windows of waves by shores, seconds; a step that has been begun takes as long again.
-const SHORE_SECONDS: f64 = 3e-3;
+/// Seconds that a frame may spend on finding where land stands in the sea's way, and again on making windows of waves by shores, of a moving
+/// picture and of a still one; a step that has been begun takes as long again.
+const WORK_S: [f64; 2] = [0.003, 0.03];
 
 impl Renderer {
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
         let camera = &frame.camera;
+        let work_s = WORK_S[usize::from(!self.moving)];
         self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
-        let is_sheltered = self.shelter(frame);
+        let is_sheltered = self.shelter(frame, work_s);
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
@@ -34,15 +34,14 @@ impl Renderer {
         let side = self.side(frame);
         // What is there stays; others wait for the picture's own tiles.
         let trains = (side.shows_surf && frame.is_fine(), self.complete);
-        let seconds = if self.seas.is_spread() { SHORE_SECONDS } else { f64::INFINITY };
+        let seconds = if self.seas.is_spread() { work_s } else { f64::INFINITY };
         self.complete &= self.shores.prepare(&mut self.world, frame, trains, seconds);
         self.complete
     }
 
     /// Finds where land stands in the way of a frame's sea; true when that is known.
-    fn shelter(&mut self, frame: &Frame) -> bool {
+    fn shelter(&mut self, frame: &Frame, budget_s: f64) -> bool {
         let (camera, world) = (&frame.camera, &mut self.world);
-        let budget_s = SHELTER_S[usize::from(!self.moving)];
         let mut look = |id| world.look(Layer::Water, id);
         let eye = (camera.lat, camera.lon, camera.altitude_m);
         self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut look)
