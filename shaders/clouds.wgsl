@@ -25,6 +25,8 @@ const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones: a
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
 const CLOUD_SCATTERS = 0.0075;         // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are half as dense
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
+const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
+const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
 const OVER_HORIZON = 0.0004;            // radians that are surely above it, by the sphere's
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
@@ -34,12 +36,25 @@ const CLOUD_LEAST = 0.1;
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
-// Light that a cloud sends on, of what falls on it, where its optical depth is `above` towards the sun and `below` to its base: that of two streams
-// that none of it is lost from (A. Schuster 1905), of which an eye sees the one that comes towards it, and what has met but one droplet.
-fn cloud_source(sun: vec3f, sky: vec3f, above: f32, below: f32, height: f32, phase: f32, rise: f32) -> vec3f {
-    let through = 1.0 / (1.0 + TWO_STREAMS * (above + below));
-    let lit = (TWO_STREAMS * below + saturate(0.5 + 3.0 * rise)) * through + 0.1 * exp(-above) * phase;
-    return (0.95 * sun * lit + sky * (0.3 + 0.6 * height)) / PI;
+// Where a place is in a cloud: how high over its base, of the layer, and the optical depths from it towards the sun and to the base.
+struct InHeap { height: f32, above: f32, below: f32 }
+
+// At a height, where the cloud has such an edge and the level lies so high; `met_excess`: how far it lies above the edge where the eye has met the
+// cloud. A picture from space, `is_wide`, shows the tops.
+fn in_heap(height: f32, edge: f32, cloud: InCloud, level: f32, met_excess: f32, mu: f32, is_wide: bool) -> InHeap {
+    let top = min(sqrt((max(edge, 0.0) + cloud.excess) / CLOUD_TALL), 1.0);
+    let risen = select(saturate(height), top, is_wide);
+    let over = min(max(top - risen, 0.0) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), DEEPEST);
+    let scatters = CLOUD_SCATTERS * mix(1.0, 0.5, smoothstep(1.0, 3.0, level));
+    return InHeap(risen, scatters * (cloud.share * over + OWN_DEPTH * min(4.0 * met_excess, 1.0)), scatters * risen * (CLOUD_TOP - CLOUD_BASE));
+}
+
+// Light that a cloud sends on, of what falls on it: that of two streams that none of it is lost from (A. Schuster 1905), of which an eye sees the
+// one that comes towards it, and what has met but one droplet.
+fn cloud_source(sun: vec3f, sky: vec3f, at: InHeap, phase: f32, rise: f32) -> vec3f {
+    let through = 1.0 / (1.0 + TWO_STREAMS * (at.above + at.below));
+    let lit = (TWO_STREAMS * at.below + saturate(0.5 + 3.0 * rise)) * through + 0.1 * exp(-at.above) * phase;
+    return (0.95 * sun * lit + sky * (0.3 + 0.6 * at.height)) / PI;
 }
 
 // Light from the sun's side is stronger, of one that is isotropic.
@@ -120,15 +135,10 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
-            let top = min(sqrt((max(edge, 0.0) + cloud.excess) / CLOUD_TALL), 1.0);
-            // From space one sees the tops.
-            let risen = select(saturate(height), top, is_wide);
-            let over = min(max(top - risen, 0.0) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), 900.0);
-            let scatters = CLOUD_SCATTERS * mix(1.0, 0.5, smoothstep(1.0, 3.0, level.x));
-            let above = max(closed_ahead, scatters * (cloud.share * over + 60.0 * min(4.0 * met_excess, 1.0)));
-            let below = scatters * risen * (CLOUD_TOP - CLOUD_BASE);
+            var heap = in_heap(height, edge, cloud, level.x, met_excess, mu, is_wide);
+            heap.above = max(closed_ahead, heap.above);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
-            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, above, below, risen, phase, direction.z);
+            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, direction.z);
             way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
         }

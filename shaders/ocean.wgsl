@@ -169,7 +169,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         var seen = lace_at(foam_at, faced * footprint, 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
-            if SURF { shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z)); }
+            if SURF {
+                let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z);
+                shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf);
+            }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);

@@ -6,6 +6,7 @@
 const FRONT_LOBES: f32 = 0.3;
 const FRONT_RISES: f32 = 0.1;
 const ENDS_LOBES: f32 = 0.35;
+const STRANDS = vec2f(6.0, 2.5);      // metres of the waterline within which foam thins, and how raggedly: `lobes`
 const SURF_WIDEST: Metres = 1500.0;   // no shore is so far from its surf
 
 // Height of the waves that come in to a shore at a place. For vertices: it changes slowly.
@@ -43,7 +44,5 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     return mix(mean, crests, near);
 }
 
-const STRANDS = vec2f(6.0, 2.5);      // metres of the waterline within which foam thins, and how raggedly: `lobes`
-
-// How much of the white water comes as far: the last of it strands, and the water between two waves is clear.
+// How much of the white water comes so near to the shore, which at the waterline strands; the water between two waves is clear there.
 fn at_waterline(shore: Metres, lobes: f32) -> f32 { return mix(0.15, 1.0, smoothstep(0.0, STRANDS.x, shore + STRANDS.y * clamp(lobes, -1.0, 2.0))); }
