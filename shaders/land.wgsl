@@ -21,7 +21,7 @@ struct Vertex {
     @location(4) ways: vec4f,
     @location(7) grid: vec3f,                          // `grid_at`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
-    @location(5) shore: vec4f,                         // height of the waves that come in to it, and how far they run up; the way down to it, east and north
+    @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
 }
 
 const MIRRORS_CLOUDS = FINE;
@@ -81,13 +81,10 @@ fn vertex(in: Tile) -> Vertex {
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = rest + up * height;
-    var shore = vec4f(0.0);
+    var shore = vec2f(0.0);
     if SWASH {
-        let way = max(spacing, 20.0);
-        let rise = vec2f(ocean_shore_at(beside(point, raw_sin_lat, vec2f(way, 0.0)), sin_lat, spacing),
-            ocean_shore_at(beside(point, raw_sin_lat, vec2f(0.0, way)), sin_lat, spacing)) - ground.ocean_shore;
         let height = height_coming_in(local_sea(point), length(rest));
-        shore = vec4f(height, run_up_reach(height, foreshore(ground.face)), rise / max(length(rise), 1e-3));
+        shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
         vec4f(c.raw, c.mean, c.oceanic, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore);
@@ -201,7 +198,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var radiance = lit.radiance;
     let inland = inland_share(ground, footprint);
     if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }
-    if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore, lit.sandy, light, clear); }
+    if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore.x, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }

@@ -7,17 +7,22 @@
 const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
+const WANDERS: Metres = 6.0;     // sideways, on the way up
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
 
-// A beach that waves run up: `dry` is its radiance without them.
-fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, shore: vec4f, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
-    let x = select(-at.ground.ocean_shore, -1.0, at.ground.is_ocean | at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
-    let down = shore.zw / max(length(shore.zw), 1e-3);
-    let line = beside(at.point, at.sin_lat, down * max(x, 0.0));
+// A beach that waves of a height run up: `dry` is its radiance without them.
+fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, height: Metres, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
+    let x = select(max(-at.ground.ocean_shore, 0.0), -1.0, at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
+    // Downhill, on Mercator's map.
+    let rise = at.ground.shore_rise * vec2f(1.0, -1.0);
+    let down = rise / max(length(rise), 1e-3);
     let place = pattern_place(at.point, at.part);
+    // Water does not run up straight: where waves next to each other differ it must not show as a ruled line.
+    let aside = WANDERS * (shown(footprint, 8.0) * bed_noise(place, 8.0, 90u).z + 0.3 * shown(footprint, 2.0) * bed_noise(place, 2.0, 91u).z);
+    let line = beside(at.point, at.sin_lat, down * max(x, 0.0) + aside * vec2f(-down.y, down.x));
     let across = at.distance * frame.pixel_angle;
     let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));
-    let swash = swash_at(line, place, x, shore.x, foreshore(at.ground.face), footprint, width);
+    let swash = swash_at(line, place, x, height, foreshore(at.ground.face), footprint, width);
     let rest = surface_from_normal_delta(at.dn);
     // Foam goes with the water that carries it.
     let moved = rest + vec3f(down * swash.run, 0.0);
@@ -31,5 +36,6 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
         Bed(moist, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
-    return mix(sand, film, sandy * max(sheen, swash.foam));
+    // Under the sea's own water it is only wet.
+    return mix(sand, film, select(sandy * max(sheen, swash.foam), 0.0, at.ground.is_ocean));
 }

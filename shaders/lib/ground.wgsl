@@ -32,7 +32,7 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
 // What a pixel shows of the ground, and where.
 struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground }
 
-// `sandy`: how much of a beach there may be, between cliffs and snow.
+// `sandy`: how much of a beach there may be, between cliffs and snow; none of a bed is one.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 
 // How wide the beach is at a place: by a third to three times of that, over some 100 m to 2 km.
@@ -149,7 +149,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
     // Valleys see less of the sky.
     let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
-    return LitGround(normal, albedo, albedo / PI * (sun + ambient), sandy * (1.0 - grown));
+    return LitGround(normal, albedo, albedo / PI * (sun + ambient), select(sandy * (1.0 - grown), 0.0, is_bed));
 }
 
 const LAKE_KIND = 2.5;             // of the water of lakes

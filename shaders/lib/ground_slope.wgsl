@@ -9,10 +9,6 @@ fn east_north_of(point: MapPoint, way: vec2f) -> vec2f {
     return vec2f(dot(way, vec2f(-out.y, out.x)), dot(way, out) * select(1.0, -1.0, point.square == NORTH));
 }
 
-// Weights of three neighbouring texels in a quadratic B-spline, `t` from -1/2 to 1/2 off the middle one, and their derivatives.
-fn spline(t: f32) -> vec3f { return vec3f(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)); }
-fn spline_rise(t: f32) -> vec3f { return vec3f(t - 0.5, -2.0 * t, t + 0.5); }
-
 // Elevations of three texels of a row, or distances to the ocean's shore.
 fn texel_row(water: bool, square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, page: Page) -> vec3f {
     return vec3f(texel(water, square, level, vec2u(columns.x, row), tile, page).x,
@@ -20,20 +16,7 @@ fn texel_row(water: bool, square: u32, level: u32, columns: vec3u, row: u32, til
         texel(water, square, level, vec2u(columns.z, row), tile, page).x);
 }
 
-// Where the nine texels of a page around a place are, its tile, and where in the middle one it is, from -1/2 to 1/2.
-struct NineTexels { columns: vec3u, rows: vec3u, tile: vec2u, t: vec2f }
-
-fn nine_texels(point: MapPoint, page: Page) -> NineTexels {
-    let shift = 24u - page.level;
-    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
-    let middle = point.at >> vec2u(shift);
-    let first = (middle - 1u) & mask;
-    let last = (middle + 1u) & mask;
-    let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
-    return NineTexels(vec3u(first.x, middle.x, last.x), vec3u(first.y, middle.y, last.y), middle >> vec2u(TILE_BITS), t);
-}
-
-// What they hold, by rows, and where the place is.
+// What the nine texels around a place hold, by rows, and where it is.
 struct Neighbours { rows: mat3x3f, t: vec2f }
 
 fn neighbours(water: bool, point: MapPoint, page: Page) -> Neighbours {

@@ -137,6 +137,7 @@ fn last_crests(trains: ptr<function, Arriving>, mean: f32, nothing: bool) -> Cre
 struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, dry: f32, wrack: f32, run: Metres }
 
 const SWASH_WIDEST: Metres = 60.0;         // no sheet comes so far; ours
+const SWASH_SOAKED = 0.4;             // of the reach of the fiftieth, to where sand shines at all times; ours
 const DRY_FROM = 3.5;                 // of the reach of the fiftieth, from where sand is dry all through; ours
 const LULL = vec2f(0.02, 0.06);      // run-up of the fiftieth, m, below which there is none, and from which it is whole
 
@@ -195,6 +196,9 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
         k++;
         if (k == SWASH_CRESTS) | nothing { break; }
     }
+    // By the waterline sand is never without water.
+    let soaked = 1.0 - smoothstep(0.0, SWASH_SOAKED, ragged / max(farthest, 1e-3) + 0.12 * bed_noise(place, 4.0, 66u).z);
+    sheet.shines = max(sheet.shines, soaked);
     // Sand that waves have reached within the last minutes is dark.
     // Cusps: horns and bays some 30 m apart, and how they differ along 100 m. They are one from the water to the dry sand.
     let longer = shown(sees, 128.0) * bed_noise(line_place, 128.0, 68u).z;
@@ -205,7 +209,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
     let wider = 0.5 * blur / max(farthest, 0.1);
     // Where the band is a few pixels wide it would be a drawn line: what tides and rills make of it is seen as a gradient, faint here and dark there.
     let from_afar = smoothstep(0.15, 0.6, sees / max(farthest, 0.1));
-    let sharp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * small);
+    let sharp = 1.0 - smoothstep(0.9 - wider, 1.5 + wider, band + 0.1 * small);
     let damp = mix(sharp, clamp(0.45 + 1.6 * longer, 0.1, 0.9) * exp(-0.9 * max(band, 0.0)), from_afar);
     let dry = smoothstep(0.8, DRY_FROM, band + 1.2 * mottled);
     // Weed and shells lie where the highest waves have turned, in heaps and with gaps.

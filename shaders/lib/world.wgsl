@@ -96,6 +96,43 @@ fn amid(c: TexelsAround) -> vec3f { return mix(mix(c.a, c.b, c.f.x), mix(c.c, c.
 
 fn bilinear(water: bool, point: MapPoint, page: Page) -> vec3f { return amid(texels_around(water, point, page)); }
 
+// Weights of three neighbouring texels in a quadratic B-spline, `t` from -1/2 to 1/2 off the middle one, and their derivatives.
+fn spline(t: f32) -> vec3f { return vec3f(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)); }
+fn spline_rise(t: f32) -> vec3f { return vec3f(t - 0.5, -2.0 * t, t + 0.5); }
+
+// Where the nine texels of a page around a place are, its tile, and where in the middle one it is, from -1/2 to 1/2.
+struct NineTexels { columns: vec3u, rows: vec3u, tile: vec2u, t: vec2f }
+
+fn nine_texels(point: MapPoint, page: Page) -> NineTexels {
+    let shift = 24u - page.level;
+    let mask = vec2u((TILE_TEXELS << page.level) - 1u);
+    let middle = point.at >> vec2u(shift);
+    let first = (middle - 1u) & mask;
+    let last = (middle + 1u) & mask;
+    let t = vec2f(point.at & vec2u((1u << shift) - 1u)) / f32(1u << shift) - 0.5;
+    return NineTexels(vec3u(first.x, middle.x, last.x), vec3u(first.y, middle.y, last.y), middle >> vec2u(TILE_BITS), t);
+}
+
+// Signed distances to the ocean's and inland waters' shores, texels, whether the nearest inland water is a river, and how the first grows
+// right and down on the map. Quadratic B-splines: between the four nearest texels alone shores would be polygons, with corners where texels meet.
+struct Shores { told: vec3f, rise: vec2f }
+
+fn shores_around(point: MapPoint, page: Page) -> Shores {
+    let nine = nine_texels(point, page);
+    let wx = spline(nine.t.x);
+    let wy = spline(nine.t.y);
+    let rx = spline_rise(nine.t.x);
+    let ry = spline_rise(nine.t.y);
+    var found = Shores(vec3f(0.0), vec2f(0.0));
+    for (var k = 0u; k < 9u; k += 1u) {
+        let at = vec2u(k % 3u, k / 3u);
+        let value = texel(true, point.square, page.level, vec2u(nine.columns[at.x], nine.rows[at.y]), nine.tile, page);
+        found.told += wx[at.x] * wy[at.y] * value;
+        found.rise += vec2f(rx[at.x] * wy[at.y], wx[at.x] * ry[at.y]) * value.x;
+    }
+    return found;
+}
+
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
 // a sea whose surface is at a distance, and what is not is its bed.
 fn nearest_bed(surface: Metres) -> Metres { return 0.996 * surface - 2.0; }
@@ -124,13 +161,6 @@ fn texel_metres(point: MapPoint, level: f32, sin_lat: f32) -> Metres {
 fn beside(point: MapPoint, sin_lat: f32, way: vec2f) -> MapPoint {
     let units = way * vec2f(1.0, -1.0) / max(texel_metres(point, 0.0, sin_lat), 1e-3) * 16777216.0;
     return MapPoint(point.square, point.at + bitcast<vec2u>(vec2i(units)));
-}
-
-// Signed distance to the ocean's shore alone.
-fn ocean_shore_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Metres {
-    let cos_lat = sqrt(max(1.0 - sin_lat * sin_lat, 0.0));
-    let page = pages_at(point, level_for(point, footprint, cos_lat)).water;
-    return bilinear(true, point, page).x * texel_metres(point, f32(page.level), sin_lat);
 }
 
 // What the grid has around a place of four of its texels.
@@ -166,15 +196,13 @@ fn ground_from_afar(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground 
 
 fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f) -> Ground {
     let coast = coast_of(grid, sin_lat);
-    let water = texels_around(true, point, water_page);
-    let shore_rise = vec2f(mix(water.b.x - water.a.x, water.d.x - water.c.x, water.f.y), mix(water.c.x - water.a.x, water.d.x - water.b.x, water.f.x));
+    let water = shores_around(point, water_page);
     let texel = texel_metres(point, f32(water_page.level), sin_lat);
-    let told = amid(water);
-    var shores = told.xy * texel;
+    var shores = water.told.xy * texel;
     // Without any water tile the sign of the elevation tells sea from land.
     if water_page.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, elevation <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(elevation, coast, shores.x), shores.x, shores.y, shore_rise, texel, bed_steeper() * coast.m, coast.cliff,
-        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, told.z > 0.5);
+    return Ground(shaped_elevation(elevation, coast, shores.x), shores.x, shores.y, water.rise, texel, bed_steeper() * coast.m, coast.cliff,
+        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, water.told.z > 0.5);
 }

@@ -1,7 +1,7 @@
 //! What is at one place: elevation, depth, water class, shore distance, looked up in the tiles texel by texel.
 //!
-//! Values are bilinear between texel centres, also across tile borders; where a neighbouring tile is missing, its
-//! parent stands in. The class follows the interpolated distances, so that it changes exactly where the drawn coast is.
+//! Between texel centres elevations are bilinear and distances to shores quadratic B-splines, lest shores be polygons whose corners lie on the
+//! texels' lines; also across tile borders, and where a neighbouring tile is missing, its parent stands in. The class follows the interpolated distances, so that it changes exactly where the drawn coast is.
 
 use super::tile::{
     Layer, MapPoint, Projection, TILE_TEXELS, TileId, lat_lon_from_map, map_from_lat_lon, texel_size_m, texels_across,
@@ -81,7 +81,7 @@ pub fn sample(
     let mut map = Map { projection, at: map_from_lat_lon(projection, lat, lon), look_up };
     let point = MapPoint::on(projection, lat, lon);
     let Some((terrain_level, _)) = map.deepest(Layer::Terrain, point, terrain.deepest)? else { return Ok(None) };
-    let Some([raw_m, _]) = map.value(Layer::Terrain, terrain_level)? else { return Ok(None) };
+    let Some([raw_m, _]) = map.bilinear(Layer::Terrain, terrain_level, map.at)? else { return Ok(None) };
     let water = match deepest_water {
         Some(deepest) => map.deepest(Layer::Water, point, deepest)?,
         None => None,
@@ -175,9 +175,17 @@ impl Map<'_, '_> {
         Ok(None)
     }
 
-    /// The value at the position itself.
-    fn value(&mut self, layer: Layer, z: u8) -> Result<Option<[f64; 2]>> {
-        self.bilinear(layer, z, self.at)
+    /// Signed distances to the shores of ocean and lakes as a level tells them, metres.
+    fn splined_shores(&mut self, z: u8) -> Result<Option<[f64; 2]>> {
+        let Some((shores, [x, y])) = self.neighbours(Layer::Water, z)? else { return Ok(None) };
+        let [wx, wy] = [x, y].map(rugged::spline);
+        let mut told = [0.0; 2];
+        for (row, wy) in shores.iter().zip(wy) {
+            for (shores, wx) in row.iter().zip(wx) {
+                told = [told[0] + wx * wy * shores[0], told[1] + wx * wy * shores[1]];
+            }
+        }
+        Ok(Some(told))
     }
 
     /// What the terrain's tiles of a level have around the position, or those of `deepest`, which there are.
@@ -195,7 +203,7 @@ impl Map<'_, '_> {
     /// Signed distances to the shores of ocean and lakes, metres: from level `z`, and for what is farther than its texels can hold from
     /// the level above, and so on. The sign stays that of level `z`.
     fn shores(&mut self, z: u8, lat: f64) -> Result<[f64; 2]> {
-        let sharp = self.value(Layer::Water, z)?.unwrap_or_default();
+        let sharp = self.splined_shores(z)?.unwrap_or_default();
         let mut shores = sharp;
         for level in (0..z).rev() {
             let texel_m = texel_size_m(self.projection, level + 1, lat);
@@ -203,7 +211,7 @@ impl Map<'_, '_> {
             if shores.iter().zip(reach_m).all(|(shore, reach_m)| shore.abs() < reach_m) {
                 break;
             }
-            let Some(coarse) = self.value(Layer::Water, level)? else { continue };
+            let Some(coarse) = self.splined_shores(level)? else { continue };
             for (((shore, coarse), sharp), reach_m) in shores.iter_mut().zip(coarse).zip(sharp).zip(reach_m) {
                 if shore.abs() >= reach_m {
                     *shore = shore.abs().max(coarse.abs()).copysign(sharp);
@@ -237,10 +245,10 @@ impl Map<'_, '_> {
         };
         let texel_m = |z| texel_size_m(self.projection, z, lat);
         let [data_m, shore_m, coarse_m] = [z, shore_z, coarsest].map(texel_m);
-        let (metres, t) = self.neighbours(Layer::Terrain, z)?;
-        let data = Around::of(metres, t);
-        let (metres, t) = self.neighbours(Layer::Water, shore_z)?;
-        let inland = Around::any(metres.map(|row| row.map(|ocean_m| -ocean_m)), t);
+        let Some((metres, t)) = self.neighbours(Layer::Terrain, z)? else { return Ok(0.0) };
+        let data = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t);
+        let Some((metres, t)) = self.neighbours(Layer::Water, shore_z)? else { return Ok(0.0) };
+        let inland = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m)), t);
         let mean_m = self.bilinear(Layer::Terrain, coarsest, self.at)?.unwrap_or_default()[0];
         let (lift_m, rise) = rugged::lift(rugged::oceanic(mean_m, coarse_m), inland.mean_m, elevation_m);
         let lift_m = fade * lift_m;
@@ -253,18 +261,20 @@ impl Map<'_, '_> {
     }
 
     /// The nine texels around the position, by rows, and where in the middle one it is, -1/2 to 1/2.
-    fn neighbours(&mut self, layer: Layer, z: u8) -> Result<([[f64; 3]; 3], [f64; 2])> {
+    fn neighbours(&mut self, layer: Layer, z: u8) -> Result<Option<([[[f64; 2]; 3]; 3], [f64; 2])>> {
         let place = [self.at.0, self.at.1].map(|x| x * texels_across(z));
         let [column, row] = place.map(|x| x.floor() as i64);
-        let mut texels = [[0.0; 3]; 3];
+        let mut texels = [[[0.0; 2]; 3]; 3];
         for (texels, j) in texels.iter_mut().zip(-1..) {
             for (texel, i) in texels.iter_mut().zip(-1..) {
-                *texel = self.texel(layer, z, column + i, row + j)?.unwrap_or_default()[0];
+                let Some(value) = self.texel(layer, z, column + i, row + j)? else { return Ok(None) };
+                *texel = value;
             }
         }
-        Ok((texels, place.map(|x| x - x.floor() - 0.5)))
+        Ok(Some((texels, place.map(|x| x - x.floor() - 0.5))))
     }
 
+    /// The value at a place of the map between the four texels around it, as those of [`Map::texel`].
     fn bilinear(&mut self, layer: Layer, z: u8, at: (f64, f64)) -> Result<Option<[f64; 2]>> {
         let ((i, j), [fx, fy]) = cell(z, at);
         let mut sum = [0.0; 2];
