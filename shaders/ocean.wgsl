@@ -171,7 +171,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if FINE {
             if SURF {
                 let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z);
-                shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf);
+                shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf.xy);
+                seen.hidden += surf.z * surf.z;
             }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);

@@ -28,6 +28,12 @@ fn trains_share(depth: Metres, shore: Metres, distance: Metres) -> f32 {
     return near * (1.0 - smoothstep(FEELS_BOTTOM, FREE_OF_BOTTOM, u)) * (1.0 - smoothstep(SHORES_END * 0.6, SHORES_END, shore)) * smoothstep(-0.5, 0.0, shore);
 }
 
+// The trains' frequency, or that of the wind's waves.
+fn mean_omega() -> f32 {
+    let about = bitcast<vec2f>(shore_words[0]);
+    return select(WHOLE_TURN / frame.surf.x, about.x, about.y > 1.0);
+}
+
 fn node_value(base: u32, node: vec2u, train: u32) -> vec3f {
     let word = shore_words[base + (node.y * SHORE_SIDE + node.x) * SHORE_TRAINS + train];
     return vec3f(bitcast<f32>(word.x), 2.0 * unpack2x16snorm(word.y));

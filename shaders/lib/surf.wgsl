@@ -5,6 +5,7 @@
 // How far a front is ahead of its mean where the lobes' level is one, and how soon it is white, seconds; how much sooner crests break there.
 const FRONT_LOBES: f32 = 0.3;
 const FRONT_RISES: f32 = 0.1;
+const FRONT_QUANTILES: f32 = 5.0;      // what the quantile of the share rises by where a front begins, from a hundredth and less to all
 const ENDS_LOBES: f32 = 0.35;
 const STRANDS = vec2f(6.0, 2.5);      // metres of the waterline within which foam thins, and how raggedly: `lobes`
 const SURF_WIDEST: Metres = 1500.0;   // no shore is so far from its surf
@@ -17,17 +18,18 @@ fn height_coming_in(sea: LocalSea, distance: Metres) -> Metres {
     return seen * frame.wave_height * sea.height;
 }
 
-// Shares of the water under white water of any age, and under that of a crest that is just breaking: of the waves of the trains where these
-// show, elsewhere and from afar the mean. `incoming`: `height_coming_in`. `lobes`: a normal level of the water, by which fronts run ahead here and
+// Shares of the water under white water of any age (x), and under that of a crest that is just breaking (y): of the waves of the trains where
+// these show, elsewhere and from afar the mean; and by how much the shares' quantiles differ within a pixel (z), where a front begins. `incoming`: `height_coming_in`. `lobes`: a normal level of the water, by which fronts run ahead here and
 // stay behind there, and end raggedly along the crest.
-fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres, lobes: f32) -> vec2f {
+fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres, lobes: f32) -> vec3f {
     let deep = max(depth, 0.05);
-    let period = frame.surf.x;
+    let period = WHOLE_TURN / mean_omega();
     let celerity = sqrt(GRAVITY * deep);
     let lobe = clamp(lobes, -2.0, 2.0);
     let since = waves.age / period + FRONT_LOBES * lobe / period;
     let age = period * (since - floor(since));
-    let front = smoothstep(0.0, max(1.5 * footprint / celerity, FRONT_RISES), age);
+    let rises = max(6.0 * footprint / celerity, FRONT_RISES);
+    let front = smoothstep(0.0, rises, age);
     let bore = saturate(waves.bore * (1.0 + ENDS_LOBES * lobe));
     let lasts = frame.surf.wy;
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
@@ -41,7 +43,8 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     let torn = min(frame.shore.y, 1.0) * pow(bore, 2.0 / max(frame.shore.y, 1.0));
     let crests = 1.0 - (1.0 - front * torn * exp(-age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
     let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (celerity * period)));
-    return mix(mean, crests, near);
+    let blurred = FRONT_QUANTILES * footprint / (celerity * rises) * step(age, rises);
+    return vec3f(mix(mean, crests, near), near * blurred);
 }
 
 // How much of the white water comes so near to the shore, which at the waterline strands; the water between two waves is clear there.

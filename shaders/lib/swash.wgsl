@@ -20,12 +20,6 @@ fn run_up(high: Metres, omega: f32, beta: f32) -> vec2f {
 // Of a beach whose ground rises by `face`.
 fn foreshore(face: f32) -> f32 { return min(face, SWASH_STEEPEST); }
 
-// The trains' frequency, or that of the wind's waves.
-fn mean_omega() -> f32 {
-    let about = bitcast<vec2f>(shore_words[0]);
-    return select(WHOLE_TURN / frame.surf.x, about.x, about.y > 1.0);
-}
-
 // How far up a beach of slope `beta` a fiftieth of the waves come.
 fn run_up_reach(height: Metres, beta: f32) -> Metres {
     let rises = run_up(height, mean_omega(), beta);
@@ -137,7 +131,7 @@ fn last_crests(trains: ptr<function, Arriving>, mean: f32, nothing: bool) -> Cre
 struct Swash { film: Metres, covered: f32, foam: f32, shines: f32, damp: f32, dry: f32, wrack: f32, run: Metres }
 
 const SWASH_WIDEST: Metres = 60.0;         // no sheet comes so far; ours
-const SWASH_SOAKED = 0.4;             // of the reach of the fiftieth, to where sand shines at all times; ours
+const SWASH_SOAKED = 0.3;             // of the reach of the fiftieth, to where sand shines at all times; ours
 const DRY_FROM = 3.5;                 // of the reach of the fiftieth, from where sand is dry all through; ours
 const LULL = vec2f(0.02, 0.06);      // run-up of the fiftieth, m, below which there is none, and from which it is whole
 
@@ -209,7 +203,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
     let wider = 0.5 * blur / max(farthest, 0.1);
     // Where the band is a few pixels wide it would be a drawn line: what tides and rills make of it is seen as a gradient, faint here and dark there.
     let from_afar = smoothstep(0.15, 0.6, sees / max(farthest, 0.1));
-    let sharp = 1.0 - smoothstep(0.9 - wider, 1.5 + wider, band + 0.1 * small);
+    let sharp = 1.0 - smoothstep(0.65 - wider, 1.15 + wider, band + 0.1 * small);
     let damp = mix(sharp, clamp(0.45 + 1.6 * longer, 0.1, 0.9) * exp(-0.9 * max(band, 0.0)), from_afar);
     let dry = smoothstep(0.8, DRY_FROM, band + 1.2 * mottled);
     // Weed and shells lie where the highest waves have turned, in heaps and with gaps.
