@@ -180,3 +180,29 @@ fn shallow_water_holds_no_higher_waves() {
     let (a, b) = (at(0.002 * hs), at(0.004 * hs));
     assert!((b.height_m / a.height_m - 2.0).abs() < 0.1, "{a:?} {b:?}");
 }
+
+/// Between the data's texels, which are 19 m wide at the equator, distances to shores are smooth: a shore at one's feet is no polygon.
+#[test]
+fn shores_have_no_corners_where_texels_meet() {
+    const STEP_M: f64 = 0.5;
+    let mut world = World::open(DATA);
+    let (mut bends, mut sharpest) = (0, 0f64);
+    for row in -6..6 {
+        let lat = f64::to_radians(-22.988) + f64::from(row) * 11.0 / 6.37e6;
+        let way: Vec<f64> = (0..400)
+            .map(|step| {
+                let lon = f64::to_radians(-43.19) + (f64::from(step) - 200.0) * STEP_M / (6.37e6 * lat.cos());
+                world.sample_blocking(lat, lon).unwrap().shore_distance_m.unwrap()
+            })
+            .collect();
+        // How much the slope changes from one step to the next.
+        for steps in way.windows(3) {
+            let turns = (steps[0] - 2.0 * steps[1] + steps[2]).abs() / STEP_M;
+            sharpest = sharpest.max(turns);
+            bends += usize::from(turns > 0.01);
+        }
+    }
+    println!("slopes change by {sharpest:.3} within {STEP_M} m at most; {bends} bends");
+    // A distance's slope is between -1 and 1; from texel to texel it turns by 2 at most, in a spline within a texel's width, 17.6 m here.
+    assert!(bends > 50 && sharpest < 2.0 * STEP_M / 17.6, "{sharpest}, {bends}");
+}

@@ -35,6 +35,7 @@ mod stairs;
 #[path = "../shared/summed.rs"]
 mod summed;
 mod surface_sample;
+mod surf;
 mod swash;
 mod translucence;
 mod under_water;

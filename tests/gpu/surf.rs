@@ -1,0 +1,47 @@
+//! White water of surf as the sea's shader has it.
+
+use std::f64::consts::TAU;
+
+use ocean_globe::data::world::World;
+use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::model::wave_trains::{TRAINS, trains};
+use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::settings::{Settings, Swell, Wind};
+use ocean_globe::scene::view::camera::Camera;
+
+use crate::beside_shore::{Asker, made};
+
+const SHARES: &str = "#import surf
+@group(2) @binding(0) var<storage, read> asked: array<f32>;
+@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let waves = ShoreWaves(0.0, vec2f(0.0), 1.0, asked[id.x], 2.0, 1.0, 0.0);
+    found[id.x] = surf_at(waves, 30.0, 1.0, 1.4, 0.01, 0.0).x;
+}";
+
+/// Between one crest of the trains and the next white water becomes less and less, though a swell's crests come more seldom than those of
+/// the wind's waves.
+#[test]
+fn white_water_is_made_by_the_crests_that_are_drawn() {
+    let mut world = World::open("www/data");
+    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
+    let settings = Settings {
+        wind: Wind { speed_mps: 5.0, from_deg: 310.0 },
+        swell: Some(Swell { height_m: 1.5, period_s: 12.0, from_deg: 300.0 }),
+        ..Settings::default()
+    };
+    let tables = SeaTables::of(&settings);
+    let period = TAU * TRAINS as f64 / trains(&tables).unwrap().iter().map(|train| train.omega).sum::<f64>();
+    let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
+    let shores = made(&mut world, &frame);
+    let ages: Vec<f32> = (0..100).map(|step| (f64::from(step) / 100.0 * period) as f32).collect();
+    let shares: Vec<f32> = Asker::new(SHARES).found(&shores, &frame, &ages);
+    let peak = shares.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    println!("{period:.2} s from crest to crest; {:.2} white at most, {:.2} s after a crest", peak.1, ages[peak.0]);
+    // A front is white a tenth of a second after its crest.
+    assert!(ages[peak.0] < 0.3 && peak.1 > 0.9, "{shares:?}");
+    assert!(shares[peak.0..].windows(2).all(|pair| pair[1] <= pair[0]), "{shares:?}");
+    assert!(shares[99] < 0.6, "{shares:?}");
+}
