@@ -26,6 +26,7 @@ const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
+const FEET = vec2f(0.3, 1.0);      // widths of pixels between which the sea's edge is no longer at one's feet, metres
 
 // Radiance of the scene in a pixel.
 fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
@@ -201,9 +202,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow), light, clear);
+    // At one's feet sand shines as water does, and neither covers the other's pixels: that would mirror the sky twice, or not at all.
+    let covers = mix(share, select(0.0, 1.0, ground.is_ocean), smoothstep(FEET.y, FEET.x, footprint));
     // The bed has no air before it yet, land has.
-    var radiance = through_air(mix(behind, water, select(1.0, share, ground.is_ocean)), light, up, direction, distance);
-    if !ground.is_ocean { radiance = mix(behind, radiance, share); }
+    var radiance = through_air(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance);
+    if !ground.is_ocean { radiance = mix(behind, radiance, covers); }
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
         let step = select(limb.beyond, vec2f(0.0), misses);

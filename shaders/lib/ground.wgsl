@@ -19,6 +19,7 @@ const BENT = 0.5;               // how far the lattices of what grows are bent, 
 const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
 const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
 const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sand
+const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
 const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, wet, more and more the sea's own
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
@@ -137,7 +138,10 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     }
     if is_bed {
         albedo = bed_colour(-ground.elevation) * mix(WET_SAND, 1.0, smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
-        if FINE && SHOWS_COVER { albedo = covered_bed(point, albedo, -ground.elevation, footprint); }
+        if FINE && SHOWS_COVER {
+            // By the waterline it is the beach's sand, with its grain.
+            albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
+        }
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
