@@ -99,7 +99,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
-    if FINE && SHOWS_COVER { grain = grain_at(point, part, footprint); }
+    if FINE && SHOWS_COVER { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
     if IMAGERY {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);

@@ -209,7 +209,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
     // Weed and shells lie where the highest waves have turned, in heaps and with gaps.
     let heaped = bed_noise(place, 8.0, 69u).z * shown(sees, 8.0) + bed_noise(place, 0.5, 70u).z * shown(sees, 0.5) + 0.7 * bed_noise(place, 0.125, 71u).z * shown(sees, 0.125);
     let from_line = (band - vec3f(1.25, 1.9 + 0.4 * cusps, 2.8 + 0.8 * cusps)) * farthest / (vec3f(0.5, 0.35, 0.6) + width);
-    let wrack = dot(exp(-from_line * from_line), vec3f(1.0, 0.6, 0.4)) * smoothstep(0.0, 0.35, heaped) / (1.0 + width);
+    let wrack = dot(exp(-from_line * from_line), vec3f(1.0, 0.6, 0.4)) * smoothstep(0.25, 0.85, heaped) / (1.0 + width);
     // Where single waves do not show: what they are in the mean.
     let less = saturate(1.0 - band);
     let mean = Swash(0.02 * less, less * less, 0.45 * less * less, less, damp, dry, wrack, 0.0);
