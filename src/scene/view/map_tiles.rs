@@ -41,8 +41,8 @@ const AROUND: u8 = 8;
 const BEACH_M: f64 = 60.0;
 /// So deep, metres.
 const ISLAND_BED_M: f64 = -500.0;
-/// Such islands reach so far inland, metres.
-const ISLAND_INLAND_M: f64 = 1_000.0;
+/// Such islands are not raised by a metre so near to their shores, metres (`model::rugged`).
+const ISLAND_INLAND_M: f64 = 75.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
