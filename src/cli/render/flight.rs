@@ -23,7 +23,7 @@ use crate::scene::view::state::ViewState;
 /// The options of a flight.
 #[derive(Args, Debug)]
 pub struct FlightArgs {
-    /// Fly from one view to another: ids of named views (globe, ocean, mediterranean, islands, lagoon, coast, bridge, calm, breeze, gale, hurricane, sunset, moonlit,
+    /// Fly from one view to another: ids of named views (globe, ocean, mediterranean, islands, lagoon, coast, bridge, surf, calm, breeze, gale, hurricane, sunset, moonlit,
     /// underwater) or fragments.
     #[arg(long, num_args = 2, value_names = ["FROM", "TO"], conflicts_with_all = ["state", "layer"])]
     pub flight: Option<Vec<String>>,

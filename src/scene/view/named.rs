@@ -18,7 +18,7 @@ pub struct View {
 }
 
 /// All named views, from the highest to the lowest: heights first, then seas, then hours and depths.
-pub const VIEWS: [View; 14] = [
+pub const VIEWS: [View; 15] = [
     View {
         id: "globe",
         widget: "viewGlobe",
@@ -60,6 +60,12 @@ pub const VIEWS: [View; 14] = [
         widget: "viewBridge",
         title: "a storm from the bridge, 15 m",
         fragment: "view=-52,60,15,230,82&bft=10&clouds=0.7&time=2026-12-21T09:00:00Z",
+    },
+    View {
+        id: "surf",
+        widget: "viewSurf",
+        title: "surf, 12 m",
+        fragment: "view=52.372,4.5228,12,330,80&wind=9@300&clouds=0.35&time=2026-07-20T18:45:00Z",
     },
     View {
         id: "calm",
