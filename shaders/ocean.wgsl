@@ -202,8 +202,12 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow), light, clear);
-    // At one's feet sand shines as water does, and neither covers the other's pixels: that would mirror the sky twice, or not at all.
-    let covers = mix(share, select(0.0, 1.0, ground.is_ocean), smoothstep(FEET.y, FEET.x, footprint));
+    var covers = share;
+    if FINE && SURF {
+        // At one's feet sand shines as water does, and neither covers the other's pixels: that would mirror the sky twice, or not at all.
+        let beach = smoothstep(FEET.y, FEET.x, footprint) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
+        covers = mix(share, select(0.0, 1.0, ground.is_ocean), beach);
+    }
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance);
     if !ground.is_ocean { radiance = mix(behind, radiance, covers); }

@@ -18,7 +18,7 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let down = rise / max(length(rise), 1e-3);
     let place = pattern_place(at.point, at.part);
     // Water does not run up straight: where waves next to each other differ it must not show as a ruled line.
-    let aside = WANDERS * (shown(footprint, 8.0) * bed_noise(place, 8.0, 90u).z + 0.3 * shown(footprint, 2.0) * bed_noise(place, 2.0, 91u).z);
+    let aside = WANDERS * saturate(x / WANDERS) * (shown(footprint, 8.0) * bed_noise(place, 8.0, 90u).z + 0.3 * shown(footprint, 2.0) * bed_noise(place, 2.0, 91u).z);
     let line = beside(at.point, at.sin_lat, down * max(x, 0.0) + aside * vec2f(-down.y, down.x));
     let across = at.distance * frame.pixel_angle;
     let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));

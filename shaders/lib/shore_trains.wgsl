@@ -124,7 +124,7 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
 }
 
 const TOP_AHEAD = 0.4;           // of the sum's crest, radians: where white water begins
-const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at a quarter of a turn, and highest at 1.02
+const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at 1.57, and highest at 1.02
 const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heights in deep water; as src/model/surf.rs
 
 // The waves of the trains where a footprint shows them.
@@ -161,7 +161,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let half = 0.5 * height;
     let tilt = half * (-surface.y * k + (1.0 - bore) * surface.x * growth);
     let theta = angle_of(turn.y, turn.x);
-    // A crest that begins to break is white from its top on, a bore from half-way up its face, which is steep and comes before the sum's crest.
+    // A crest that begins to break is white from its top on, a bore from a quarter up its face, which is steep and comes before the sum's crest.
     let ahead = mix(TOP_AHEAD, FACE_AHEAD, bore);
     let since = theta + ahead + select(0.0, WHOLE_TURN, theta < -ahead);
     return ShoreWaves(half * surface.x, tilt, bore * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * all.sum.hidden);

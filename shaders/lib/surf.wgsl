@@ -26,16 +26,18 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     let period = WHOLE_TURN / mean_omega();
     let celerity = sqrt(GRAVITY * deep);
     let lobe = clamp(lobes, -2.0, 2.0);
-    let since = waves.age / period + FRONT_LOBES * lobe / period;
-    let age = period * (since - floor(since));
-    let rises = max(6.0 * footprint / celerity, FRONT_RISES);
-    let front = smoothstep(0.0, rises, age);
+    // Wide pixels see a front rise before its instant and after it, and as much white as narrow ones do.
+    let rises = clamp(6.0 * footprint / celerity, FRONT_RISES, 0.5 * period);
+    let since = (waves.age + FRONT_LOBES * lobe + 0.5 * rises) / period;
+    let risen = period * (since - floor(since));
+    let front = smoothstep(0.0, rises, risen);
+    let age = max(risen - 0.5 * rises, 0.0);
     let bore = saturate(waves.bore * (1.0 + ENDS_LOBES * lobe));
     let lasts = frame.surf.wy;
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
     // The mean of all waves of a Rayleigh distribution (J. Battjes and J. Janssen 1978).
     let breaking = exp(-over * over) * smoothstep(SURF_WIDEST, 0.5 * SURF_WIDEST, shore) * smoothstep(0.02, 0.15, incoming);
-    let mean = breaking * lasts / period * (1.0 - exp(-period / lasts));
+    let mean = breaking * lasts / frame.surf.x * (1.0 - exp(-frame.surf.x / lasts));
     // The white water of this crest, and of those before it, which have broken as often as those of this height do.
     let often = exp(-pow(frame.surf.z * deep / max(0.7071 * waves.height, 1e-3), 2.0));
     let older = exp(-(age + period) / lasts);
@@ -43,7 +45,7 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     let torn = min(frame.shore.y, 1.0) * pow(bore, 2.0 / max(frame.shore.y, 1.0));
     let crests = 1.0 - (1.0 - front * torn * exp(-age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
     let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (celerity * period)));
-    let blurred = FRONT_QUANTILES * footprint / (celerity * rises) * step(age, rises);
+    let blurred = FRONT_QUANTILES * footprint / (celerity * rises) * torn * 4.0 * front * (1.0 - front);
     return vec3f(mix(mean, crests, near), near * blurred);
 }
 

@@ -191,7 +191,7 @@ fn swash_at(line: MapPoint, place: vec2f, x: Metres, height: Metres, beta: f32, 
         if (k == SWASH_CRESTS) | nothing { break; }
     }
     // By the waterline sand is never without water.
-    let soaked = 1.0 - smoothstep(0.0, SWASH_SOAKED, ragged / max(farthest, 1e-3) + 0.12 * bed_noise(place, 4.0, 66u).z);
+    let soaked = 1.0 - smoothstep(0.0, SWASH_SOAKED, ragged / max(farthest, 1e-3) + 0.12 * shown(sees, 4.0) * bed_noise(place, 4.0, 92u).z);
     sheet.shines = max(sheet.shines, soaked);
     // Sand that waves have reached within the last minutes is dark.
     // Cusps: horns and bays some 30 m apart, and how they differ along 100 m. They are one from the water to the dry sand.

@@ -124,11 +124,14 @@ fn shores_around(point: MapPoint, page: Page) -> Shores {
     let rx = spline_rise(nine.t.x);
     let ry = spline_rise(nine.t.y);
     var found = Shores(vec3f(0.0), vec2f(0.0));
-    for (var k = 0u; k < 9u; k += 1u) {
+    var k = 0u;
+    loop {
         let at = vec2u(k % 3u, k / 3u);
         let value = texel(true, point.square, page.level, vec2u(nine.columns[at.x], nine.rows[at.y]), nine.tile, page);
         found.told += wx[at.x] * wy[at.y] * value;
         found.rise += vec2f(rx[at.x] * wy[at.y], wx[at.x] * ry[at.y]) * value.x;
+        k++;
+        if k == 9u { break; }
     }
     return found;
 }

@@ -177,15 +177,8 @@ impl Map<'_, '_> {
 
     /// Signed distances to the shores of ocean and lakes as a level tells them, metres.
     fn splined_shores(&mut self, z: u8) -> Result<Option<[f64; 2]>> {
-        let Some((shores, [x, y])) = self.neighbours(Layer::Water, z)? else { return Ok(None) };
-        let [wx, wy] = [x, y].map(rugged::spline);
-        let mut told = [0.0; 2];
-        for (row, wy) in shores.iter().zip(wy) {
-            for (shores, wx) in row.iter().zip(wx) {
-                told = [told[0] + wx * wy * shores[0], told[1] + wx * wy * shores[1]];
-            }
-        }
-        Ok(Some(told))
+        let Some((shores, between)) = self.neighbours(Layer::Water, z)? else { return Ok(None) };
+        Ok(Some([0, 1].map(|which| Around::any(shores.map(|row| row.map(|shores| shores[which])), between).mean_m)))
     }
 
     /// What the terrain's tiles of a level have around the position, or those of `deepest`, which there are.

@@ -6,7 +6,7 @@
 //! [`WaterClass`].
 //!
 //! At hand, a tile is four bytes a texel ([`packed`]): 32nds of a texel, with enough bits for 1,023 texels to the ocean and 255 to lakes. What is beyond the reach of a tile's own shores is taken from its parent ([`OwnShores::within`]), so that distances are as
-//! good far away as near, at any level. Bilinear interpolation of a distance and its sign draw the shore at sub-texel precision.
+//! good far away as near, at any level. Interpolation of a distance and its sign draw the shore at sub-texel precision.
 
 use super::png_tile::{decode_rgb, encode_rgb};
 use super::tile::{TILE_TEXELS, TileId};

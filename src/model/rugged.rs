@@ -68,11 +68,12 @@ impl Around {
 
     /// As [`Around::of`], of values of any sign.
     pub fn any(metres: [[f64; 3]; 3], [x, y]: [f64; 2]) -> Self {
+        let weights = |t: f64| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
         let rises = |t: f64| [t - 0.5, -2.0 * t, t + 0.5];
         let middle = metres[1][1];
         let [mut mean, mut square, mut right, mut down] = [0.0; 4];
-        for (row, (wy, ry)) in metres.iter().zip(spline(y).into_iter().zip(rises(y))) {
-            for (metres, (wx, rx)) in row.iter().zip(spline(x).into_iter().zip(rises(x))) {
+        for (row, (wy, ry)) in metres.iter().zip(weights(y).into_iter().zip(rises(y))) {
+            for (metres, (wx, rx)) in row.iter().zip(weights(x).into_iter().zip(rises(x))) {
                 let over = metres - middle;
                 mean += wx * wy * over;
                 square += wx * wy * over * over;
@@ -83,11 +84,6 @@ impl Around {
         let deviation_m = (square - mean * mean).max(0.0).sqrt();
         Self { mean_m: middle + mean, deviation_m, rise_m: [right, down] }
     }
-}
-
-/// Weights of three neighbouring texels in a quadratic B-spline, at `t`, -1/2 to 1/2, off the middle one.
-pub fn spline(t: f64) -> [f64; 3] {
-    [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)]
 }
 
 /// The shores near a place: signed distances in metres, positive in the ocean, and in lakes.

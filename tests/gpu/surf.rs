@@ -12,13 +12,13 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::beside_shore::{Asker, made};
 
 const SHARES: &str = "#import surf
-@group(2) @binding(0) var<storage, read> asked: array<f32>;
+@group(2) @binding(0) var<storage, read> asked: array<vec2f>;
 @group(2) @binding(1) var<storage, read_write> found: array<f32>;
 @compute @workgroup_size(64)
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
-    let waves = ShoreWaves(0.0, vec2f(0.0), 1.0, asked[id.x], 2.0, 1.0, 0.0);
-    found[id.x] = surf_at(waves, 30.0, 1.0, 1.4, 0.01, 0.0).x;
+    let waves = ShoreWaves(0.0, vec2f(0.0), 1.0, asked[id.x].x, 2.0, 1.0, 0.0);
+    found[id.x] = surf_at(waves, 30.0, 1.0, 1.4, asked[id.x].y, 0.0).x;
 }";
 
 /// Between one crest of the trains and the next white water becomes less and less, though a swell's crests come more seldom than those of
@@ -36,12 +36,21 @@ fn white_water_is_made_by_the_crests_that_are_drawn() {
     let period = TAU * TRAINS as f64 / trains(&tables).unwrap().iter().map(|train| train.omega).sum::<f64>();
     let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
     let shores = made(&mut world, &frame);
-    let ages: Vec<f32> = (0..100).map(|step| (f64::from(step) / 100.0 * period) as f32).collect();
-    let shares: Vec<f32> = Asker::new(SHARES).found(&shores, &frame, &ages);
-    let peak = shares.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-    println!("{period:.2} s from crest to crest; {:.2} white at most, {:.2} s after a crest", peak.1, ages[peak.0]);
-    // A front is white a tenth of a second after its crest.
-    assert!(ages[peak.0] < 0.3 && peak.1 > 0.9, "{shares:?}");
-    assert!(shares[peak.0..].windows(2).all(|pair| pair[1] <= pair[0]), "{shares:?}");
-    assert!(shares[99] < 0.6, "{shares:?}");
+    let age = |step: usize| (step as f64 / 100.0 * period) as f32;
+    let mut asker = Asker::new(SHARES);
+    let [narrow, wide] = [0.01f32, 1.2].map(|footprint_m| {
+        let asked: Vec<[f32; 2]> = (0..100).map(|step| [age(step), footprint_m]).collect();
+        asker.found::<_, f32>(&shores, &frame, &asked)
+    });
+    let peak = narrow.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    println!("{period:.2} s from crest to crest; {:.2} white at most, {:.2} s after a crest", peak.1, age(peak.0));
+    // A front is white a twentieth of a second after its crest; the steps are 0.09 s long.
+    assert!(age(peak.0) < 0.2 && peak.1 > 0.9, "{narrow:?}");
+    // The last step is in the next front.
+    assert!(narrow[peak.0..99].windows(2).all(|pair| pair[1] <= pair[0]), "{narrow:?}");
+    assert!(narrow[98] < 0.6, "{narrow:?}");
+    // Wide pixels see fronts less sharp, and no less white.
+    let [narrow, wide] = [narrow, wide].map(|shares| shares.iter().sum::<f32>() / 100.0);
+    println!("in the mean {narrow:.3} are white, to wide pixels {wide:.3}");
+    assert!((wide / narrow - 1.0).abs() < 0.03, "{wide} for {narrow}");
 }

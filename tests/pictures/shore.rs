@@ -2,6 +2,7 @@
 
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::cli::sample::{SampleArgs, sample};
+use ocean_globe::data::world::World;
 use ocean_globe::renderer::Radiance;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -42,4 +43,30 @@ fn a_calm_sea_by_a_shore_is_finite() {
         let broken = measured.values.iter().filter(|value| !value.is_finite()).count();
         assert_eq!(broken, 0, "{place}: of {} values", measured.values.len());
     }
+}
+
+/// Pixels of 5 cm, between texels of 17 m.
+#[test]
+fn the_shore_at_ones_feet_is_drawn_where_samples_have_it() {
+    const SIZE: [u32; 2] = [320, 180];
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let mut world = World::open(DATA);
+    let (mut near, mut compared) = (0, 0);
+    for [lat, lon] in [[-22.9881, -43.1898], [-22.9879, -43.1899], [52.3722, 4.52312]] {
+        let state = render::parse_state(&format!("#view={lat},{lon},12,0,0&wind=0@0&time=2026-06-20T12:00:00Z")).unwrap();
+        let mut layer = |layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values;
+        let (places, classes) = (layer(LayerName::Lonlat), layer(LayerName::Class));
+        for (place, class) in places.chunks_exact(2).zip(&classes) {
+            let sample = world.sample_blocking(place[1].to_radians(), place[0].to_radians()).unwrap();
+            let shore_m = sample.shore_distance_m.unwrap();
+            near += usize::from(shore_m.abs() < 2.0);
+            // Of a place that a pixel tells in 32 bits and that is three metres above the ground on a beach.
+            if shore_m.abs() > 0.1 {
+                compared += 1;
+                assert_eq!(*class == 1.0, shore_m > 0.0, "{place:?}: class {class}, {shore_m} m from the shore");
+            }
+        }
+    }
+    println!("{compared} pixels, {near} of them within 2 m of the shore");
+    assert!(compared > 100_000 && near > 5_000, "{compared}, {near}");
 }

@@ -13,7 +13,7 @@ use super::{River, Stream};
 use crate::data::tile::{EQUATOR_M, TILE_TEXELS, TileId, texels_across};
 use std::f64::consts::{SQRT_2, TAU};
 
-/// Deviation of the Gaussian, texels: a bilinear look between texels then errs by a sixth of the share at most.
+/// Deviation of the Gaussian, texels: a quadratic B-spline between texels then takes a seventh of the share of a line at most.
 const FILTER: f64 = 0.8;
 /// Rivers of fewer texels than the first are narrow, of more than the second wide.
 const WIDE_TEXELS: [f64; 2] = [1.5, 3.0];

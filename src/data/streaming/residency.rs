@@ -105,7 +105,7 @@ impl Residency {
         if self.layer == Layer::Terrain {
             return range;
         }
-        // Half a texel at the edge of a tile is a mix with its neighbour, whose distances differ by a texel at most.
+        // A texel at the edge of a tile is a mix with its neighbour, whose distances differ by a texel at most.
         let (least, greatest) = (range.least - 1.0, range.greatest + 1.0);
         let [short, long] = texel_sizes_m(id, z);
         Range {

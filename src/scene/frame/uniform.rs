@@ -238,7 +238,7 @@ gpu_struct! {
         foam_rule: u32 = "u32",
         /// Perlin patch.
         perlin_patch: f32 = "Metres",
-        /// Waves that break on shores: their period, s; for how many seconds their fronts are dense; their height over the depth that they break
+        /// Waves that break on shores: their period where no trains have one, s; for how many seconds their fronts are dense; their height over the depth that they break
         /// in; in how many seconds their white water fades.
         surf: Vec4 = "vec4f",
         /// How steeply usual beaches fall, metres per metre; width of the surf over the usual one; the rest is 0.

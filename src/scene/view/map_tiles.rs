@@ -41,8 +41,6 @@ const AROUND: u8 = 8;
 const BEACH_M: f64 = 60.0;
 /// So deep, metres.
 const ISLAND_BED_M: f64 = -500.0;
-/// Such islands are not raised by a metre so near to their shores, metres (`model::rugged`).
-const ISLAND_INLAND_M: f64 = 75.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -158,13 +156,12 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
 }
 
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
-/// there is no relief but what the data hold (`model::rugged`). Some way inland beside deep water there may be any.
+/// there is no relief but what the data hold (`model::rugged`). Beside deep water there may be any.
 fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
-    let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
+    tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
-    let is_deep = || tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
-    let is_island = shore_m.least < -ISLAND_INLAND_M && is_deep();
+    let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
     let range_m = metres.greatest - metres.least.max(0.0);
     (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
 }
