@@ -34,8 +34,8 @@ mod spray;
 mod stairs;
 #[path = "../shared/summed.rs"]
 mod summed;
-mod surface_sample;
 mod surf;
+mod surface_sample;
 mod swash;
 mod translucence;
 mod under_water;

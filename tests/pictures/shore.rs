@@ -53,7 +53,8 @@ fn the_shore_at_ones_feet_is_drawn_where_samples_have_it() {
     let mut world = World::open(DATA);
     let (mut near, mut compared) = (0, 0);
     for [lat, lon] in [[-22.9881, -43.1898], [-22.9879, -43.1899], [52.3722, 4.52312]] {
-        let state = render::parse_state(&format!("#view={lat},{lon},12,0,0&wind=0@0&time=2026-06-20T12:00:00Z")).unwrap();
+        let state =
+            render::parse_state(&format!("#view={lat},{lon},12,0,0&wind=0@0&time=2026-06-20T12:00:00Z")).unwrap();
         let mut layer = |layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values;
         let (places, classes) = (layer(LayerName::Lonlat), layer(LayerName::Class));
         for (place, class) in places.chunks_exact(2).zip(&classes) {
