@@ -157,6 +157,9 @@ fn cell(z: u8, (x, y): (f64, f64)) -> ((i64, i64), [f64; 2]) {
     ((gx.floor() as i64, gy.floor() as i64), [gx - gx.floor(), gy - gy.floor()])
 }
 
+/// What nine texels hold, by rows, as [`Map::texel`] tells it.
+type NineTexels = [[[f64; 2]; 3]; 3];
+
 /// One map, looked at from one position on it.
 struct Map<'a, 'b> {
     projection: Projection,
@@ -254,7 +257,7 @@ impl Map<'_, '_> {
     }
 
     /// The nine texels around the position, by rows, and where in the middle one it is, -1/2 to 1/2.
-    fn neighbours(&mut self, layer: Layer, z: u8) -> Result<Option<([[[f64; 2]; 3]; 3], [f64; 2])>> {
+    fn neighbours(&mut self, layer: Layer, z: u8) -> Result<Option<(NineTexels, [f64; 2])>> {
         let place = [self.at.0, self.at.1].map(|x| x * texels_across(z));
         let [column, row] = place.map(|x| x.floor() as i64);
         let mut texels = [[[0.0; 2]; 3]; 3];
