@@ -204,9 +204,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         kind, bed, foam, facets, glow), light, clear);
     var covers = share;
     if FINE && SURF {
-        // At one's feet sand shines as water does, and neither covers the other's pixels: that would mirror the sky twice, or not at all.
+        // At one's feet sand that waves run over shines as water does: either mirrors the sky where the other ends.
         let beach = smoothstep(FEET.y, FEET.x, footprint) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
-        covers = mix(share, select(0.0, 1.0, ground.is_ocean), beach);
+        covers = mix(share, out_of_swash(ground.ocean_shore), beach);
     }
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance);

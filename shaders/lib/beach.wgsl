@@ -4,7 +4,6 @@
 #import swash
 #import waves
 
-const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WRACK = vec3f(0.3, 0.27, 0.25);   // and of what lies on it in heaps
 const SWASH_FINER = 4;           // how many times smaller than at sea the lace of foam on a beach is
 const WANDERS: Metres = 6.0;     // sideways, on the way up
@@ -33,9 +32,10 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     // Water that runs has ripples; what it leaves is a mirror.
     let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
     let moist = dry * mix(1.0, MOIST_SAND, sandy * (1.0 - swash.dry));
-    let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
+    // The sea's water, as the film, makes what is below it as dark as wet sand is without.
+    let out = out_of_swash(at.ground.ocean_shore);
+    let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp * (1.0 - out)) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
         Bed(moist, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
-    // Under the sea's own water it is only wet.
-    return mix(sand, film, select(sandy * max(sheen, swash.foam), 0.0, at.ground.is_ocean));
+    return mix(sand, film, sandy * max(sheen, swash.foam) * (1.0 - out));
 }

@@ -18,9 +18,10 @@ const STANDING = 0.8;            // share of a dome's slope that shades it: leav
 const BENT = 0.5;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
 const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
 const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
+const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sand
 const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
-const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, wet, more and more the sea's own
+const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, more and more the sea's own; the water over it wets it
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
@@ -89,7 +90,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
     let sight = sinking(point, direction, up, LEAST_SINKING);
-    let is_bed = ocean_share(ground, sight, distance * frame.pixel_angle) >= 1.0;
+    let is_bed = (ocean_share(ground, sight, distance * frame.pixel_angle) >= 1.0) & (ground.ocean_shore > EDGE_FADES);
     var albedo: vec3f;
     var shaded = normal;
     var sand = SAND;
@@ -137,7 +138,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
     }
     if is_bed {
-        albedo = bed_colour(-ground.elevation) * mix(WET_SAND, 1.0, smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * sand, bed_colour(-ground.elevation), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);

@@ -24,6 +24,11 @@ fn ocean_share(ground: Ground, sight: vec2f, across: Metres) -> f32 {
     return saturate(0.5 + ground.ocean_shore / width);
 }
 
+const EDGE_FADES: Metres = 0.4;   // from the waterline, over which water that runs on a beach is the sea: neither begins at a line
+
+// How much of the sea there is by a beach, a signed distance from its shore, positive in it.
+fn out_of_swash(ocean_shore: Metres) -> f32 { return smoothstep(0.0, EDGE_FADES, ocean_shore); }
+
 // Depth of the ocean in a pixel, which its middle may miss: there as at a gentle shore.
 fn ocean_depth(ground: Ground, footprint: Metres, share: f32) -> Metres { return max(-ground.elevation, 0.01 * footprint * share); }
 
