@@ -13,7 +13,7 @@ const IMAGERY_SCALE: f32 = 0.76;
 const IMAGERY_POWER: f32 = 0.8;
 const IMAGERY_DARK = vec3f(0.014, 0.022, 0.009);
 
-// A texel of a level's whole map; see `texel` of lib/world.wgsl.
+// A texel of a level's whole map; see `texel` of lib/map_texels.wgsl.
 fn imagery_texel(square: u32, level: u32, index: vec2u, tile: vec2u, page: Page) -> vec3f {
     let own_tile = index >> vec2u(TILE_BITS);
     var own = page;

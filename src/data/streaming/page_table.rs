@@ -8,7 +8,7 @@
 use super::residency::Residency;
 use crate::data::tile::{Layer, MapPoint, Projection};
 
-/// Levels of the page tables; equals `PAGE_LEVELS` in `shaders/lib/world.wgsl`.
+/// Levels of the page tables; equals `PAGE_LEVELS` in `shaders/lib/map_texels.wgsl`.
 pub const PAGE_LEVELS: usize = 14;
 /// Tiles along a side of a level's page table; equals `PAGE_WINDOW` there.
 pub const PAGE_WINDOW: usize = 64;
