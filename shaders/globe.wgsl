@@ -63,10 +63,11 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }
     let ground_across = ground_footprint(across, direction, up);
-    let lit = lit_ground(point, vec2f(0.0), sin_lat, up, direction, distance, ground, NO_RELIEF, ground_across, light, 0.0);
+    let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
+    let lit = lit_ground(point, vec2f(0.0), sin_lat, up, direction, distance, ground, NO_RELIEF, ground_across, light, 0.0, width);
 
     // Water that is seen, and how much of the pixel it fills.
-    let ocean = ocean_share(ground, sinking(point, direction, up, LEAST_SINKING), across);
+    let ocean = ocean_share(ground, width);
     let depth = ocean_depth(ground, ground_across, ocean);
     let grazing = max(abs(dot(direction, up)), 0.002);
     // The waves of what the pixel shows, the ocean or a lake; a coarse picture has no lees.

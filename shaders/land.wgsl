@@ -175,7 +175,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let footprint = ground_footprint(distance * frame.pixel_angle, direction, up);
 
     let sea_covers = ground.is_ocean && shows_sea && !hides_sea(distance, far_hit);
-    if ocean_share(ground, sinking(at.point, direction, up, LEAST_SINKING), distance * frame.pixel_angle) >= 1.0 && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
+    let width = width_to_shore(ground, sinking(at.point, direction, up, LEAST_SINKING), distance * frame.pixel_angle);
+    if ocean_share(ground, width) >= 1.0 && shows_sea && !UNDER_WATER && water_alpha(-ground.elevation) > OPAQUE_ALPHA {
         // Coarse triangles slope down from a hill to the bed in front of the sea: what stands there is water.
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
@@ -194,11 +195,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
         made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
-    let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y);
+    let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y, width);
     var radiance = lit.radiance;
     let inland = inland_share(ground, footprint);
     if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }
-    if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, in.shore.x, lit.sandy, light, clear); }
+    if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, width, in.shore.x, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }

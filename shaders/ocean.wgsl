@@ -26,7 +26,6 @@ const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
-const FEET = vec2f(0.3, 1.0);      // widths of pixels between which the sea's edge is no longer at one's feet, metres
 
 // Radiance of the scene in a pixel.
 fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
@@ -129,7 +128,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     // Pixels that the shore crosses show sea by its share of them.
-    let share = ocean_share(ground, sinking(point, direction, up, LEAST_SINKING), across);
+    let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
+    let share = ocean_share(ground, width);
     if share <= 0.0 {
         discard;
         return vec4f(0.0);
@@ -204,9 +204,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         kind, bed, foam, facets, glow), light, clear);
     var covers = share;
     if FINE && SURF {
-        // At one's feet sand that waves run over shines as water does: either mirrors the sky where the other ends.
-        let beach = smoothstep(FEET.y, FEET.x, footprint) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
-        covers = mix(share, out_of_swash(ground.ocean_shore), beach);
+        // Sand that waves run over shines as water does: either mirrors the sky where the other ends.
+        let beach = edge_seen(width) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
+        covers = mix(share, out_of_swash(ground.ocean_shore, width), beach);
     }
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance);

@@ -9,8 +9,8 @@ const SWASH_FINER = 4;           // how many times smaller than at sea the lace 
 const WANDERS: Metres = 6.0;     // sideways, on the way up
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
 
-// A beach that waves of a height run up: `dry` is its radiance without them.
-fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, height: Metres, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
+// A beach that waves of a height run up: `dry` is its radiance without them, `width` that of the pixel towards the shore.
+fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: Metres, height: Metres, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
     let x = select(max(-at.ground.ocean_shore, 0.0), -1.0, at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
     // Downhill, on Mercator's map.
     let rise = at.ground.shore_rise * vec2f(1.0, -1.0);
@@ -19,8 +19,6 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     // Water does not run up straight: where waves next to each other differ it must not show as a ruled line.
     let aside = WANDERS * saturate(x / WANDERS) * (shown(footprint, 8.0) * bed_noise(place, 8.0, 90u).z + 0.3 * shown(footprint, 2.0) * bed_noise(place, 2.0, 91u).z);
     let line = beside(at.point, at.sin_lat, down * max(x, 0.0) + aside * vec2f(-down.y, down.x));
-    let across = at.distance * frame.pixel_angle;
-    let width = length(vec2f(across, across * dot(down, direction.xy) / max(-dot(direction, up), 0.02)));
     let swash = swash_at(line, place, x, height, foreshore(at.ground.face), footprint, width);
     let rest = surface_from_normal_delta(at.dn);
     // Foam goes with the water that carries it.
@@ -33,8 +31,8 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
     let moist = dry * mix(1.0, MOIST_SAND, sandy * (1.0 - swash.dry));
     // The sea's water, as the film, makes what is below it as dark as wet sand is without.
-    let out = out_of_swash(at.ground.ocean_shore);
-    let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp * (1.0 - out)) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
+    let out = out_of_swash(at.ground.ocean_shore, width);
+    let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp * (1.0 - out * out)) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
         Bed(moist, 2.0 * swash.film), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
     return mix(sand, film, sandy * max(sheen, swash.foam) * (1.0 - out));

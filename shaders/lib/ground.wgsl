@@ -80,9 +80,9 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
 }
 
 // `part`: what the point leaves out of a place, of a unit; `direction`: of the sight, which is `distance` long; `washed`: how far waves run up the
-// shore; nothing grows there.
+// shore; nothing grows there; `width`: of the pixel towards the shore.
 fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: vec3f, distance: Metres, ground: Ground, made: Made, footprint: Metres,
-    light: Daylight, washed: Metres) -> LitGround {
+    light: Daylight, washed: Metres, width: Metres) -> LitGround {
     let east = east_at(up);
     let north = cross(up, east);
     let terrain = terrain_slope(point, sin_lat, footprint);
@@ -90,7 +90,7 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
     let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
     let sight = sinking(point, direction, up, LEAST_SINKING);
-    let is_bed = (ocean_share(ground, sight, distance * frame.pixel_angle) >= 1.0) & (ground.ocean_shore > EDGE_FADES);
+    let is_bed = (ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_sea(width));
     var albedo: vec3f;
     var shaded = normal;
     var sand = SAND;

@@ -16,18 +16,27 @@ fn sinking(point: MapPoint, direction: vec3f, up: vec3f, least: f32) -> vec2f {
     return along / max(-dot(direction, up), least);
 }
 
-// How much of a pixel is ocean, where the shore crosses it; a measured layer says what its middle is. A pixel that is `across` wide is longer
-// along its sight: its width is that towards the shore.
-fn ocean_share(ground: Ground, sight: vec2f, across: Metres) -> f32 {
+// How wide a pixel is towards the shore: one that is `across` wide is longer along its sight.
+fn width_to_shore(ground: Ground, sight: vec2f, across: Metres) -> Metres {
+    return across * length(vec2f(max(length(ground.shore_rise), 0.5), dot(ground.shore_rise, sight)));
+}
+
+// How much of a pixel so wide is ocean, where the shore crosses it; a measured layer says what its middle is.
+fn ocean_share(ground: Ground, width: Metres) -> f32 {
     if MEASURED { return select(0.0, 1.0, ground.is_ocean); }
-    let width = across * length(vec2f(max(length(ground.shore_rise), 0.5), dot(ground.shore_rise, sight)));
     return saturate(0.5 + ground.ocean_shore / width);
 }
 
-const EDGE_FADES: Metres = 0.4;   // from the waterline, over which water that runs on a beach is the sea: neither begins at a line
+const EDGE_FADES = vec2f(0.4, 2.0);   // from the waterline, over which water that runs up a beach becomes the sea: metres at least, and pixels
+const EDGE_SEEN = vec2f(1.0, 3.0);    // widths of pixels between which that is no longer seen, metres
 
-// How much of the sea there is by a beach, a signed distance from its shore, positive in it.
-fn out_of_swash(ocean_shore: Metres) -> f32 { return smoothstep(0.0, EDGE_FADES, ocean_shore); }
+fn edge_seen(width: Metres) -> f32 { return smoothstep(EDGE_SEEN.y, EDGE_SEEN.x, width); }
+
+// Over how much of the sea beside a beach its water and that which runs up the beach go over into each other: neither begins at a line.
+fn edge_of_sea(width: Metres) -> Metres { return edge_seen(width) * max(EDGE_FADES.x, EDGE_FADES.y * width); }
+
+// How much of the sea there is, a signed distance from its shore, positive in it.
+fn out_of_swash(ocean_shore: Metres, width: Metres) -> f32 { return smoothstep(0.0, max(edge_of_sea(width), 1e-3), ocean_shore); }
 
 // Depth of the ocean in a pixel, which its middle may miss: there as at a gentle shore.
 fn ocean_depth(ground: Ground, footprint: Metres, share: f32) -> Metres { return max(-ground.elevation, 0.01 * footprint * share); }
