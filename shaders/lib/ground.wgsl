@@ -71,7 +71,7 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
     }
     // Ripples that the wind has made, where it has: they fork where heaps bend them.
     let rippled = shown(footprint, WIND_RIPPLES) * smoothstep(-0.1, 0.2, heaps.y + 0.3 * heaps.x);
-    let along = TURN * fract((dot(place, RIPPLED_ALONG) + 0.35 * heaps.x + 1.4 * heaps.y) / WIND_RIPPLES);
+    let along = TURN * fract((dot(place, RIPPLED_ALONG) + 0.12 * heaps.x + 0.5 * heaps.y) / WIND_RIPPLES);
     found.tone += 0.05 * rippled * sin(along);
     found.slope += 0.14 * rippled * cos(along) * RIPPLED_ALONG;
     // The pattern is Mercator's.
