@@ -63,7 +63,7 @@ fn dome_cover(lattice: Lattice, share: f32, green: f32) -> f32 {
 }
 
 // Tones of a dome as of `Lattice`: on bare ground all of it is darker than that.
-fn dome_tones(lattice: Lattice, green: f32) -> vec2f { return mix(vec2f(-1.1, 0.5), lattice.tones, green); }
+fn dome_tones(lattice: Lattice, green: f32) -> vec2f { return mix(vec2f(-0.85, 0.5), lattice.tones, green); }
 
 fn mean_tone(lattice: Lattice, share: f32, green: f32) -> f32 {
     return dome_cover(lattice, share, green) * dot(dome_tones(lattice, green), vec2f(1.0, fringe_height(lattice.fringed)));

@@ -23,6 +23,7 @@ const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sa
 const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
 const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, more and more the sea's own; the water over it wets it
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
+const THROUGH_LEAVES = 0.35;      // light that comes through what grows, of that on level ground
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
@@ -151,7 +152,9 @@ fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: 
         rises = mix(rises, grain.slope, bare);
     }
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
-    let sun = light.sun * max(dot(frame.light, shaded), 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
+    // Leaves let light through to the side that is turned away.
+    let faces = max(dot(frame.light, shaded), THROUGH_LEAVES * standing.cover * max(dot(frame.light, up), 0.0));
+    let sun = light.sun * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
     // Valleys see less of the sky.
     let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
     return LitGround(normal, albedo, albedo / PI * (sun + ambient), select(sandy * (1.0 - grown), 0.0, is_bed));
