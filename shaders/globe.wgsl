@@ -64,7 +64,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }
     let ground_across = ground_footprint(across, direction, up);
     let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
-    let lit = lit_ground(point, vec2f(0.0), sin_lat, up, direction, distance, ground, NO_RELIEF, ground_across, light, 0.0, width);
+    let lit = lit_ground(Place(distance, dn, point, vec2f(0.0), sin_lat, ground), direction, up, ground_across, width, NO_RELIEF, light, 0.0);
 
     // Water that is seen, and how much of the pixel it fills.
     let ocean = ocean_share(ground, width);

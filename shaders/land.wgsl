@@ -195,7 +195,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
         made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
-    let lit = lit_ground(at.point, at.part, at.sin_lat, up, direction, distance, ground, made, footprint, light, in.shore.y, width);
+    let lit = lit_ground(at, direction, up, footprint, width, made, light, in.shore.y);
     var radiance = lit.radiance;
     let inland = inland_share(ground, footprint);
     if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }

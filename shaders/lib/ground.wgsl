@@ -80,10 +80,13 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
     return Grain(on_map * found.tone, on_map * found.slope);
 }
 
-// `part`: what the point leaves out of a place, of a unit; `direction`: of the sight, which is `distance` long; `washed`: how far waves run up the
-// shore; nothing grows there; `width`: of the pixel towards the shore.
-fn lit_ground(point: MapPoint, part: vec2f, sin_lat: f32, up: vec3f, direction: vec3f, distance: Metres, ground: Ground, made: Made, footprint: Metres,
-    light: Daylight, washed: Metres, width: Metres) -> LitGround {
+// `direction`: of the sight; `width`: of the pixel towards the shore; `washed`: how far waves run up the shore; nothing grows there.
+fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: Metres, made: Made, light: Daylight, washed: Metres) -> LitGround {
+    let point = at.point;
+    let part = at.part;
+    let sin_lat = at.sin_lat;
+    let distance = at.distance;
+    let ground = at.ground;
     let east = east_at(up);
     let north = cross(up, east);
     let terrain = terrain_slope(point, sin_lat, footprint);
