@@ -9,6 +9,7 @@
 #import waves
 
 const SHOWS_COVER = false;
+const GROWTH = false;
 const MIRRORS_CLOUDS = false;      // so far away only their mean shows
 const WAVES = false;
 const NOISE = false;

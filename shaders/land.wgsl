@@ -1,6 +1,6 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
 // `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `LAKES`, whether lakes may be so near
-// that their waves show, and `SWASH`, whether waves may run up it, of src/pass/land.rs.
+// that their waves show, `SWASH`, whether waves may run up it, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
 // Long, but one thing: a place of the mesh, and the ground that a pixel of it shows, from what it is to its light through water and air.
 #import ground
 #import lace

@@ -18,7 +18,7 @@ use crate::pass::clouds::{Clouds, Look as CloudLook};
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
 use crate::pass::kind::Kind;
-use crate::pass::land::Land;
+use crate::pass::land::{GROWTH_M, Land, Near};
 use crate::pass::ocean::{Look, Ocean};
 use crate::pass::rough_table;
 use crate::pass::sky::Sky;
@@ -32,7 +32,7 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::shores::Shores;
 use crate::scene::settings::{self, Settings};
 use crate::scene::view::camera::Camera;
-use crate::scene::view::map_tiles::{DrawnTile, has_beach};
+use crate::scene::view::map_tiles::{DrawnTile, has_beach, nearest_pixel_m};
 
 mod below;
 mod cost;
@@ -212,7 +212,9 @@ impl Renderer {
             // Coarse tiles are far ones.
             let shows_beaches = side.shows_surf && kind.shows_lakes();
             let beach = |id| shows_beaches && has_beach(id, &self.streaming);
-            self.land.set_tiles(&self.gpu, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
+            let is_near = nearest_pixel_m(&frame.camera, frame.size, tiles, &self.streaming) < GROWTH_M;
+            let near = if side.shows_lakes { Near::Lakes } else { [Near::Nothing, Near::Growth][usize::from(is_near)] };
+            self.land.set_tiles(&self.gpu, near, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);
@@ -280,7 +282,7 @@ impl Renderer {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, (ground_kind, side.shows_lakes), ground_groups);
+                self.land.draw(&mut pass, ground_kind, ground_groups);
             }
             if layers & SHOWS_SKY != 0 {
                 self.sky.draw(&mut pass, kind, frame_group, surface);

@@ -1,4 +1,5 @@
-// Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), and SHOWS_COVER: whether pixels may be so narrow
+// Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
+// what grows on the ground and its grain, and SHOWS_COVER, whether they may be so narrow
 // that they show what covers the bed.
 #import ground_colour
 #import bed_cover
@@ -104,7 +105,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
-    if FINE && SHOWS_COVER { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
+    if FINE && GROWTH { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
     if IMAGERY {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
@@ -125,8 +126,10 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
             let above = max(-dot(direction, up), LEAST_SINKING) * distance;
             let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
-            standing = plants(bent, green, -detail.clumps, farm, open, sight, sunlight, above, footprint);
-            standing.shade = select(standing.shade, 0.0, is_bed);
+            if GROWTH {
+                standing = plants(bent, green, -detail.clumps, farm, open, sight, sunlight, above, footprint);
+                standing.shade = select(standing.shade, 0.0, is_bed);
+            }
             albedo = detailed_albedo(albedo, green, farm, detail, standing.tone, flat);
             // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
             let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
@@ -150,7 +153,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
-    if FINE && SHOWS_COVER && !is_bed {
+    if FINE && GROWTH && !is_bed {
         albedo *= max(1.0 + mix(2.5 * flat, 1.0, bare) * grain.tone, 0.2);
         rises = mix(rises, grain.slope, bare);
     }

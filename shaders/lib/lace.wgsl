@@ -47,7 +47,7 @@ const FILM_RAFT: f32 = 0.55;
 const RAFT_EDGE: f32 = 0.3;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film; in storms, which churn them, less.
 const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
-const CHURNED: f32 = 0.7;
+const CHURNED: f32 = 0.25;
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.25;

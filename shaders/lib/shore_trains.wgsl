@@ -73,9 +73,10 @@ fn in_window(place: Among, k: u32, train: u32) -> InWindow {
 
 // All trains at a place, and how much of the windows' energy has been found. Each train is as high as its windows say; where two have it, its
 // phase goes from the one's to the other's, like that of phasor noise: their sum would be as high as chance has it, for good.
+// Where the sea is not theirs, `unwanted`, the first stands for all. As in lib/waves.wgsl, the loop ends at its foot.
 struct AllTrains { sum: Trains, found: f32 }
 
-fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint: Metres) -> AllTrains {
+fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint: Metres, unwanted: bool) -> AllTrains {
     let place = among_windows(point);
     let is_alone = !any(place.beyond > vec2f(0.0));
     let h = max(depth, SHALLOWEST);
@@ -118,7 +119,7 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
         all.sum.hidden += 0.5 * height * height * k_here * k_here * (1.0 - seen * seen);
         all.found = found;
         t++;
-        if t == SHORE_TRAINS { break; }
+        if (t == SHORE_TRAINS) | unwanted { break; }
     }
     return all;
 }
@@ -131,7 +132,7 @@ const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heigh
 // `face`: the slope of the beach.
 fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, distance: Metres, footprint: Metres) -> ShoreWaves {
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
-    let all = trains_at(point, depth, shore, face, footprint);
+    let all = trains_at(point, depth, shore, face, footprint, wanted <= 0.0);
     let omega = bitcast<f32>(shore_words[0].x);
     let h = max(depth, SHALLOWEST);
     let k_deep = omega * omega / GRAVITY;

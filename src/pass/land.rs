@@ -22,23 +22,50 @@ struct Instance {
     y: u32,
 }
 
-/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, with lakes
-/// so near that their waves show or without, with beaches that waves run up or without.
-pub fn source(kind: Kind, imagery: bool, [rugged, lakes, beach]: [bool; 3]) -> String {
-    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("SWASH", beach)];
+/// Pixels on the nearest ground that are so wide, metres, show nothing of what grows on it: seven tenths of a cell of the widest lattice of
+/// `shaders/lib/plants.wgsl`, at the equator.
+pub const GROWTH_M: f64 = 26.0;
+
+/// What of the ground of a whole picture may show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Near {
+    /// No more than what is as wide as pixels of [`GROWTH_M`].
+    Nothing,
+    /// What grows.
+    Growth,
+    /// And lakes so near that their waves show.
+    Lakes,
+}
+
+impl Near {
+    const ALL: [Self; 3] = [Self::Nothing, Self::Growth, Self::Lakes];
+
+    /// Whether pictures of a kind are drawn so: what all show without it is left to [`Near::Growth`].
+    fn is_of(self, kind: Kind) -> bool {
+        self == Self::Growth || kind.shows_lakes()
+    }
+}
+
+/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, and with beaches
+/// that waves run up or without: these are never drawn without what grows beside them.
+pub fn source(kind: Kind, imagery: bool, near: Near, [rugged, beach]: [bool; 2]) -> String {
+    let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach);
+    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("SWASH", beach), ("GROWTH", growth)];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
 }
 
 /// The pass.
 pub struct Land {
-    /// Without waves of lakes and with, each of ground without relief of its own and without beaches, with relief, with beaches, with both.
-    pipelines: [[ByGround; 4]; 2],
+    /// As [`Near::ALL`], each of ground without relief of its own and without beaches, with relief, with beaches, with both.
+    pipelines: [[ByGround; 4]; 3],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
     instances: wgpu::Buffer,
-    /// Tiles of the next draw: as the pipelines; the last come first.
+    /// What may show in the next draw.
+    near: Near,
+    /// And its tiles, as the pipelines; the last come first.
     counts: [u32; 4],
 }
 
@@ -65,10 +92,10 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |lakes: bool, ground: usize| {
+        let pipelines = |near: Near, ground: usize| {
             let [rugged, beach] = [1, 2].map(|bit| ground & bit != 0);
-            let source = |kind, imagery| source(kind, imagery, [rugged, lakes, beach]);
-            let kinds = move || Kind::all().filter(move |kind| !(lakes || beach) || kind.shows_lakes());
+            let source = |kind, imagery| source(kind, imagery, near, [rugged, beach]);
+            let kinds = move || Kind::all().filter(move |kind| near.is_of(*kind) && (!beach || kind.shows_lakes()));
             ByGround::new(kinds, |kind, imagery| {
                 gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
             })
@@ -76,18 +103,19 @@ impl Land {
         let (vertices, indices) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: [false, true].map(|lakes| [0, 1, 2, 3].map(|ground| pipelines(lakes, ground))),
+            pipelines: Near::ALL.map(|near| [0, 1, 2, 3].map(|ground| pipelines(near, ground))),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
+            near: Near::Growth,
             counts: [0; 4],
         }
     }
 
-    /// Sets the tiles of the next draw, and whether each may have beaches that waves run up; what comes first should be near: it spares the
-    /// shading of what it hides.
-    pub fn set_tiles(&mut self, gpu: &Gpu, tiles: impl Iterator<Item = (DrawnTile, bool)>) {
+    /// Sets what may show in the next draw, and its tiles, each with whether it may have beaches that waves run up; what comes first should be
+    /// near: it spares the shading of what it hides.
+    pub fn set_tiles(&mut self, gpu: &Gpu, near: Near, tiles: impl Iterator<Item = (DrawnTile, bool)>) {
         let mut grounds: [Vec<TileId>; 4] = Default::default();
         for (DrawnTile { id, is_rugged }, beach) in tiles.take(MOST_TILES) {
             grounds[usize::from(is_rugged) + 2 * usize::from(beach)].push(id);
@@ -96,6 +124,7 @@ impl Land {
             |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
         let instances: Vec<Instance> = grounds.iter().rev().flatten().map(instance).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
+        self.near = near;
         self.counts = grounds.map(|tiles| tiles.len() as u32);
     }
 
@@ -105,16 +134,11 @@ impl Land {
         [tiles, tiles * (self.index_count / 3)]
     }
 
-    /// Its draws, four at most, of a kind and with imagery or without, with waves of lakes or without.
-    pub fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass,
-        (kind, lakes): ((Kind, bool), bool),
-        groups: [&wgpu::BindGroup; 3],
-    ) {
+    /// Its draws, four at most, of a kind and with imagery or without.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
         let mut drawn = 0;
-        let lakes = usize::from(lakes && kind.0.shows_lakes());
-        for (pipelines, count) in self.pipelines[lakes].iter().zip(self.counts).rev() {
+        let near = if self.near.is_of(kind.0) { self.near } else { Near::Growth };
+        for (pipelines, count) in self.pipelines[near as usize].iter().zip(self.counts).rev() {
             let tiles = drawn..drawn + count;
             drawn += count;
             if tiles.is_empty() || !pipelines.set(pass, kind, groups) {

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::model::noise;
+use ocean_globe::pass::land::GROWTH_M;
 
 use crate::kernel;
 
@@ -179,4 +180,30 @@ fn fields_and_hedges_leave_the_grounds_mean() {
     }
     // They are there.
     assert!((squares[0] - 1.0 / 3.0).abs() < 0.01 && (squares[2] - 0.0536).abs() < 0.01, "{squares:?}");
+}
+
+const STANDING: &str = "#import plants
+const EARTH_TURN: Metres = 40075016.686;
+@group(2) @binding(0) var<storage, read> footprints: array<f32>;
+@group(2) @binding(1) var<storage, read_write> found: array<array<f32, 4>>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&footprints) { return; }
+    let at = FinePoint(vec2u(1000000u, 2000000u) + 40000u * vec2u(id.x % 16u, id.x / 16u), vec2f(0.0));
+    let stands = plants(at, 1.0, vec4f(0.5), 0.0, 1.0, vec2f(1.0), vec2f(1.0), 30000.0, footprints[id.x]);
+    found[id.x] = array(stands.tone, length(stands.rise), stands.cover, stands.shade);
+}";
+
+/// Pictures whose pixels are all so wide are drawn without what grows: nothing may be missing there, and what is barely narrower must show
+/// some, or the bound is farther off than it need be.
+#[test]
+fn nothing_that_grows_shows_in_pixels_that_leave_it_out() {
+    let seen = |footprint: f64| {
+        let found: Vec<[f32; 4]> = kernel::answers(STANDING, &[footprint as f32; 256]);
+        found.into_iter().flatten().fold(0.0_f32, |most, part| most.max(part.abs()))
+    };
+    let [left_out, narrower] = [GROWTH_M, 0.8 * GROWTH_M].map(seen);
+    println!("{left_out} is seen where pixels are {GROWTH_M} m wide, {narrower:.4} where they are four fifths of that");
+    assert_eq!(left_out, 0.0);
+    assert!(narrower > 0.01);
 }

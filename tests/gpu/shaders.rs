@@ -11,6 +11,7 @@ use ocean_globe::model::{lace, optics, wave_domain};
 use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
+use ocean_globe::pass::land::Near;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe,
@@ -59,10 +60,12 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
-            all.extend([false, true].map(|rugged| ("land.wgsl", land::source(kind, imagery, [rugged, false, false]))));
+            let mut land = |near, ground| all.push(("land.wgsl", land::source(kind, imagery, near, ground)));
+            [false, true].into_iter().for_each(|rugged| land(Near::Growth, [rugged, false]));
             if kind.shows_lakes() {
-                let near = [[true, true, false], [true, true, true], [false, false, true]];
-                all.extend(near.map(|near| ("land.wgsl", land::source(kind, imagery, near))));
+                [false, true].into_iter().for_each(|beach| land(Near::Lakes, [true, beach]));
+                land(Near::Growth, [false, true]);
+                land(Near::Nothing, [true, false]);
             }
         }
         all.push(("sky.wgsl", sky::source(kind)));
@@ -237,7 +240,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), true, [true; 3]);
+    let land = land::source(Kind::default(), true, Near::Lakes, [true; 2]);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);

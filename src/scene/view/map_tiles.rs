@@ -217,6 +217,12 @@ fn least_pixel_m(b: &Bounds, visibility: &Visibility) -> f64 {
     (b.centre.distance(visibility.eye) - b.radius - RELIEF_M).max(0.0) * visibility.pixel_angle
 }
 
+/// How wide a pixel is, metres, where the ground of some tiles would be nearest to an eye above it: right below, as high as it is anywhere.
+pub fn nearest_pixel_m(camera: &Camera, size: [u32; 2], drawn: &[DrawnTile], tiles: &Streaming) -> f64 {
+    let highest_m = drawn.iter().map(|tile| heights(tile.id, tiles)[1]).fold(0.0, f64::max);
+    (camera.altitude_m - highest_m).max(0.0) * Visibility::new(camera, size).pixel_angle
+}
+
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
 /// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual.
 pub fn drawn_tiles(
