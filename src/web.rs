@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use egui_wgpu::{WgpuSetup, WgpuSetupExisting, wgpu};
 use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{HtmlCanvasElement, Window};
 
 use crate::app::clock::unix_now_s;
@@ -19,6 +20,7 @@ use crate::error::{Error, Result};
 use crate::gpu::{Gpu, context::device_descriptor};
 use crate::model::waves;
 use crate::renderer::Renderer;
+use crate::scene::measured_place::{MeasuredPlaces, Question};
 use crate::scene::sea::Seas;
 use crate::scene::sea::surface_sample::sample_link;
 use crate::scene::view::named;
@@ -171,7 +173,7 @@ pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
     waves_hash(seed, speed_mps)
 }
 
-/// The surface of the open sea at a place, from the same numbers that are drawn: `{height, normal: [east, north, up]}`, metres
+/// The surface of the open sea at a place, as if there were no land ([`measure`] knows it), from the same numbers that are drawn: `{height, normal: [east, north, up]}`, metres
 /// over the ellipsoid and a unit vector. `fragment` is a link's, which says the sea; `time` ISO 8601, `now`, or empty for the
 /// link's.
 ///
@@ -193,6 +195,57 @@ pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::re
     js_sys::Reflect::set(&object, &"height".into(), &sample.height_m.into())?;
     js_sys::Reflect::set(&object, &"normal".into(), &normal)?;
     Ok(object.into())
+}
+
+/// Milliseconds after which [`measure`] looks again for tiles that are on their way, and after how many it gives up.
+const MEASURE_MS: [i32; 2] = [10, 60_000];
+
+/// What is at a place and an instant, ground and sea, by shores too, in the numbers that are drawn: a promise of the object that
+/// `ocean-globe sample` prints. `data_base` is where the world's archives lie, `data/` on the page of this program; the other arguments are those of
+/// [`sample_surface`].
+///
+/// It loads what the place needs, once: some hundred milliseconds for a first place, a few for others nearby.
+///
+/// # Errors
+/// An `Error` that says in one line which argument is not valid and what would be, or what could not be fetched.
+#[wasm_bindgen]
+pub async fn measure(
+    data_base: String,
+    fragment: String,
+    lng: f64,
+    lat: f64,
+    time: String,
+) -> std::result::Result<JsValue, JsValue> {
+    thread_local! {
+        /// The worlds that scripts measure, by where they lie. They are not the one on show: that has the tiles of its view alone.
+        static MEASURED: RefCell<HashMap<String, (World, MeasuredPlaces)>> = RefCell::default();
+    }
+    let failed = |error: Error| JsValue::from(js_sys::Error::new(&error.to_string()));
+    let (state, complaints) = ViewState::parse_fragment(&fragment, None);
+    complaints.into_iter().next().map_or(Ok(()), |complaint| Err(failed(complaint)))?;
+    let time = Some(time.as_str()).filter(|time| !time.trim().is_empty());
+    let asked = Question::new(state, (lat, lng), time, unix_now_s()).map_err(failed)?;
+    let [wait_ms, patience_ms] = MEASURE_MS;
+    for _ in 0..patience_ms / wait_ms {
+        // Nothing is held while the page goes on: others may measure meanwhile.
+        let found = MEASURED.with_borrow_mut(|worlds| {
+            let (world, places) =
+                worlds.entry(data_base.clone()).or_insert_with(|| (World::open(&data_base), MeasuredPlaces::default()));
+            world.poll();
+            places.at(world, &asked, World::look_strictly)
+        });
+        if let Some(found) = found.map_err(failed)? {
+            return js_sys::JSON::parse(&found.to_string());
+        }
+        let later = |resolve, _| {
+            // Where there is no window nothing would ever come: the promise stays as it is.
+            let _ = web_sys::window()
+                .map(|window| window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, wait_ms));
+        };
+        JsFuture::from(js_sys::Promise::new(&mut { later })).await?;
+    }
+    let why = format!("has not delivered the place's tiles in {} s", patience_ms / 1000);
+    Err(failed(Error::Fetch { url: data_base, why }))
 }
 
 /// See [`h0_hash`]. All patches of 256 by 256 samples in a row.

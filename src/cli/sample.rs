@@ -4,21 +4,9 @@ use std::time::{Duration, Instant};
 
 use crate::app::clock::unix_now_s;
 use crate::cli::render::parse_state;
-use crate::data::exposure::{Found, Water};
-use crate::data::geoid;
-use crate::data::tile::Layer;
-use crate::data::water::WaterClass;
 use crate::data::world::World;
 use crate::error::{Error, Result};
-use crate::model::sheltered_sea::RINGS;
-use crate::model::spectrum::DirectionalSpectrum;
-use crate::model::waves;
-use crate::scene::sea::Seas;
-use crate::scene::sea::shelter::of_patches;
-use crate::scene::sea::shores::Shores;
-use crate::scene::sea::surface_sample::instant;
-use crate::scene::settings::Quality;
-use crate::scene::time::SceneTime;
+use crate::scene::measured_place::{MeasuredPlaces, Question};
 
 /// For the coast's tiles.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -56,77 +44,20 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     if lat_deg.abs() > 90.0 {
         return Err(bad());
     }
-    let state = parse_state(&args.state)?;
-    let unix_seconds = instant(&state, args.time.as_deref(), unix_now_s())?;
-    let (lat, lon) = (lat_deg.to_radians(), lon_deg.to_radians());
-    let mut world = World::open(&args.data);
-    world.set_beach_slope(state.settings.surf.beach_slope);
-    let sample = world.sample_blocking(lat, lon)?;
-    let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
-    let mut object = serde_json::to_value(sample).map_err(json)?;
-    // Elevations are measured from the sea's level, wherever that is drawn.
-    let geoid_m = geoid::height_m(lat, lon);
-    let over_rest_m = |height_m: f64| height_m - state.settings.datum.rest_m(lat, lon);
-    object["geoid_m"] = geoid_m.into();
-    object["elevation_over_geoid_m"] = sample.elevation_m.into();
-    object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
-    let mut seas = Seas::default();
-    let tables = seas.tables(&state.settings);
-    let gains = |world: &mut World, seas: &mut Seas, water| {
-        let mut failed = None;
-        let mut look = |id| match world.tile_blocking(Layer::Water, id) {
-            Ok(Some(texels)) => Found::Tile(texels),
-            Ok(None) => Found::Absent,
-            Err(error) => {
-                failed.get_or_insert(error);
-                Found::Absent
-            }
-        };
-        let sea = (&tables, state.settings.wind_from());
-        let found = of_patches(seas.shelter.at(sea, (water, lat, lon), &mut look).unwrap_or([1.0; RINGS]));
-        // A lee that a damaged tile hides must not be told as open sea.
-        failed.map_or(Ok(found), Err)
-    };
-    let height_m = |gains| serde_json::Value::from(tables.height_gain(gains) * tables.sea.hs_m);
-    if let Some(depth_m) = sample.depth_m {
-        let gains = gains(&mut world, &mut seas, Water::Ocean)?;
-        let shore = match sample.shallows().filter(|_| state.settings.quality != Quality::Low) {
-            None => None,
-            Some(shallows) => {
-                let mut shores = Shores::default();
-                let start = Instant::now();
-                while !shores.prepare_at(&mut world, (&tables, state.settings.wind_from()), lat, lon) {
-                    world.poll();
-                    if start.elapsed() > PATIENCE {
-                        let why = format!("has not delivered the coast's tiles in {} s", PATIENCE.as_secs());
-                        let remedy = "try again, or leave out the waves of shores: `--state '#quality=low'`";
-                        return Err(Error::bad_data(&args.data, why, remedy));
-                    }
-                    std::thread::sleep(Duration::from_millis(1));
-                }
-                shores.waves_at((lat, lon), shallows, waves::ticks_from_unix(unix_seconds))
-            }
-        };
-        let found = seas.sample_by_shore(&state.settings, (lat, lon), unix_seconds, depth_m, gains, shore);
-        let mut surface = serde_json::to_value(found).map_err(json)?;
-        // What `sampleSurface` tells, which knows no land.
-        let open = seas.sample(&state.settings, lat, lon, unix_seconds, f64::INFINITY);
-        surface["open_sea"] = serde_json::json!({ "height_m": open.height_m, "normal_enu": open.normal_enu });
-        surface["height_over_geoid_m"] = over_rest_m(found.height_m).into();
-        surface["height_over_ellipsoid_m"] = (over_rest_m(found.height_m) + geoid_m).into();
-        surface["time"] = SceneTime::At(unix_seconds).to_string().into();
-        surface["hs_m"] = tables.sea.hs_m.into();
-        surface["hs_here_m"] = height_m(gains);
-        surface["gains"] = gains.to_vec().into();
-        surface["tp_s"] = tables.sea.spectrum().peak_period().into();
-        object["surface"] = surface;
-    } else {
-        object["surface"] = serde_json::Value::Null;
+    let asked = Question::new(parse_state(&args.state)?, (lat_deg, lon_deg), args.time.as_deref(), unix_now_s())?;
+    let (mut world, mut places) = (World::open(&args.data), MeasuredPlaces::default());
+    let start = Instant::now();
+    loop {
+        if let Some(found) = places.at(&mut world, &asked, World::look_blocking)? {
+            return Ok(found);
+        }
+        // The waves of shores ask for tiles by themselves.
+        world.poll();
+        if start.elapsed() > PATIENCE {
+            let why = format!("has not delivered the coast's tiles in {} s", PATIENCE.as_secs());
+            let remedy = "try again, or leave out the waves of shores: `--state '#quality=low'`";
+            return Err(Error::bad_data(&args.data, why, remedy));
+        }
+        std::thread::sleep(Duration::from_millis(1));
     }
-    if sample.class == WaterClass::Lake {
-        object["lake_hs_m"] = height_m(gains(&mut world, &mut seas, Water::Lake)?);
-    }
-    object["lat_deg"] = lat_deg.into();
-    object["lng_deg"] = ((lon_deg + 180.0).rem_euclid(360.0) - 180.0).into();
-    Ok(object)
 }

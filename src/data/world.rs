@@ -14,6 +14,7 @@ mod shore_bed;
 mod shores;
 mod slot;
 mod span;
+mod strict;
 
 use super::exposure::Found;
 use super::fetch::{Source, Spawner, join, now_s};
@@ -35,6 +36,7 @@ use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 use std::ops::Range;
 use std::sync::{Arc, mpsc};
+pub use strict::Look;
 
 /// How often a tile or an archive is tried.
 pub const ATTEMPTS: u32 = 3;
@@ -266,11 +268,7 @@ impl World {
 
     /// Why there is no world to show: an archive of the Mercator map that was given up.
     pub fn failure(&self) -> Option<String> {
-        let given_up = |layer| match &self.slot(layer, Projection::Mercator).opening {
-            Opening::Failed(why) => Some(why.clone()),
-            _ => None,
-        };
-        Layer::SHAPE.into_iter().find_map(given_up)
+        Layer::SHAPE.into_iter().find_map(|layer| self.slot(layer, Projection::Mercator).failure())
     }
 
     /// The deepest level of the tiles that an archive gives, once it is open: of polygons they are made more deeply than they are stored.

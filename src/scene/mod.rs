@@ -12,6 +12,7 @@
 pub mod frame;
 pub mod layers;
 pub mod link;
+pub mod measured_place;
 pub mod sea;
 pub mod settings;
 pub mod time;

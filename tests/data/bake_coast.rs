@@ -6,6 +6,9 @@ use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::tile::{Layer, Projection, TileId};
 use ocean_globe::data::water::WaterClass;
 use ocean_globe::data::world::{DEEPEST_SHORES, Outcome, World};
+use ocean_globe::error::Result;
+use ocean_globe::scene::measured_place::{MeasuredPlaces, Question};
+use ocean_globe::scene::view::state::ViewState;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -165,7 +168,8 @@ fn a_sample_beside_a_damaged_tile_is_refused_rather_than_told_as_open_sea() {
     let path = folder.path().join("water.pmtiles");
     let data = folder.path().to_str().unwrap().to_owned();
     let asked = |[lat, lon]: [f64; 2]| {
-        sample(&SampleArgs { at: format!("{lat},{lon}"), data: data.clone(), ..SampleArgs::default() })
+        let time = Some("1970-01-01T00:00:00Z".into());
+        sample(&SampleArgs { at: format!("{lat},{lon}"), data: data.clone(), time, ..SampleArgs::default() })
     };
     let whole = fs::read(&path).unwrap();
     let mut bytes = whole.clone();
@@ -181,8 +185,30 @@ fn a_sample_beside_a_damaged_tile_is_refused_rather_than_told_as_open_sea() {
         places.iter().filter(|place| is_sea(place)).find_map(|place| Some((*place, asked(*place).err()?.to_string())));
     let (place, why) = refused.expect("a lee that cannot be known");
     assert!(why.contains("gzip") || why.contains("tile"), "{why}");
+    // A page, which asks again until tiles have come, is told no more.
+    let polled = || polled(&mut open(&folder), place);
+    let why = polled().unwrap_err().to_string();
+    assert!(why.contains("water.pmtiles") && why.contains("tile"), "{why}");
     fs::write(&path, whole).unwrap();
-    assert!(asked(place).is_ok());
+    assert_eq!(polled().unwrap(), asked(place).unwrap());
+    // Nor where there is no archive.
+    fs::remove_file(&path).unwrap();
+    let why = polled().unwrap_err().to_string();
+    assert!(why.contains("water.pmtiles"), "{why}");
+}
+
+/// As `sample`, at the epoch, for who cannot wait for a tile.
+fn polled(world: &mut World, [lat, lon]: [f64; 2]) -> Result<serde_json::Value> {
+    let asked = Question::new(ViewState::parse_fragment("", None).0, (lat, lon), Some("1970-01-01T00:00:00Z"), 0.0)?;
+    let (mut places, until) = (MeasuredPlaces::default(), Instant::now() + Duration::from_secs(60));
+    loop {
+        if let Some(found) = places.at(world, &asked, World::look_strictly)? {
+            return Ok(found);
+        }
+        assert!(Instant::now() < until, "tiles are still on their way");
+        world.poll();
+        std::thread::sleep(Duration::from_millis(1));
+    }
 }
 
 #[test]

@@ -4,11 +4,12 @@ use super::answer::{deepest, load};
 use super::slot::Opening;
 use super::{Decoded, World, shores, slot_index};
 use crate::data::SharedTexels;
+use crate::data::exposure::Found;
 use crate::data::fetch::Source;
 use crate::data::pmtiles::Archive;
-use crate::data::sample::{Sample, sample};
+use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection, TileId};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use std::sync::Arc;
 
 impl World {
@@ -17,14 +18,17 @@ impl World {
     /// # Errors
     /// What opening or reading the archives reports; [`Error::BadData`] if there is no terrain at all.
     pub fn sample_blocking(&mut self, lat: f64, lon: f64) -> Result<Sample> {
-        let projection = Projection::for_latitude(lat);
-        Layer::SHAPE.into_iter().try_for_each(|layer| self.open_blocking(layer, projection))?;
-        let name = self.slot(Layer::Terrain, projection).name.clone();
-        let nothing =
-            || Error::bad_data(&name, "holds no terrain tile", "make the data again with scripts/make-world.sh");
-        let terrain = self.terrain_at(lat).ok_or_else(nothing)?;
-        let deepest_water = self.max_zoom(Layer::Water, projection);
-        sample(lat, lon, terrain, deepest_water, &mut |layer, id| self.tile_blocking(layer, id))?.ok_or_else(nothing)
+        let found = self.sample_by(lat, lon, Self::look_blocking)?;
+        Ok(found.expect("tiles that are waited for are not on their way"))
+    }
+
+    /// A tile, loaded now if need be, its archive opened before.
+    ///
+    /// # Errors
+    /// What opening or reading the archive reports.
+    pub fn look_blocking(&mut self, layer: Layer, id: TileId) -> Result<Found> {
+        self.open_blocking(layer, id.projection)?;
+        Ok(self.tile_blocking(layer, id)?.map_or(Found::Absent, Found::Tile))
     }
 
     /// Opens an archive now, unless it is open.

@@ -51,6 +51,11 @@ impl Slot {
         if let Opening::Open(archive) = &self.opening { Some(archive) } else { None }
     }
 
+    /// Why it was given up, if it was.
+    pub(super) fn failure(&self) -> Option<String> {
+        if let Opening::Failed(why) = &self.opening { Some(why.clone()) } else { None }
+    }
+
     /// True once each time that the archive is to be opened.
     pub(super) fn should_open(&mut self, now: f64) -> bool {
         let due = matches!(self.opening, Opening::At(time) if time <= now);

@@ -1,0 +1,131 @@
+//! What is at a place and an instant, ground and sea, in the numbers that are drawn: for a program that can wait for tiles, and for a page, which
+//! cannot and asks again.
+
+use serde_json::{Value, json};
+
+use crate::data::exposure::{Found, Water};
+use crate::data::geoid;
+use crate::data::tile::Layer;
+use crate::data::water::WaterClass;
+use crate::data::world::{Look, World};
+use crate::error::{Error, Result};
+use crate::model::sheltered_sea::RINGS;
+use crate::model::spectrum::DirectionalSpectrum;
+use crate::model::waves;
+use crate::scene::sea::Seas;
+use crate::scene::sea::shelter::of_patches;
+use crate::scene::sea::shores::Shores;
+use crate::scene::sea::surface_sample::instant;
+use crate::scene::settings::Quality;
+use crate::scene::time::SceneTime;
+use crate::scene::view::state::ViewState;
+
+/// A place, an instant, and the sea there.
+#[derive(Clone, Debug)]
+pub struct Question {
+    state: ViewState,
+    lat_deg: f64,
+    lng_deg: f64,
+    unix_seconds: f64,
+}
+
+impl Question {
+    /// Latitude and longitude in degrees, in the sea of a state, at an ISO 8601 instant (`now`, or none for the state's own; `now_s` is the clock's,
+    /// UTC seconds since 1970).
+    ///
+    /// # Errors
+    /// [`Error::BadValue`] for a place or an instant that is none.
+    pub fn new(state: ViewState, (lat_deg, lng_deg): (f64, f64), time: Option<&str>, now_s: f64) -> Result<Self> {
+        if !lng_deg.is_finite() {
+            return Err(Error::bad_value("longitude", lng_deg, "give degrees east, e.g. -14.25"));
+        }
+        if !(-90.0..=90.0).contains(&lat_deg) {
+            return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
+        }
+        let unix_seconds = instant(&state, time, now_s)?;
+        Ok(Self { state, lat_deg, lng_deg, unix_seconds })
+    }
+}
+
+/// What measures places: it keeps the last sea, and the waves by the last shores.
+#[derive(Default)]
+pub struct MeasuredPlaces {
+    seas: Seas,
+    shores: Shores,
+}
+
+impl MeasuredPlaces {
+    /// What is at a place, as `ocean-globe sample` prints it; `None` while tiles are on their way: ask again after [`World::poll`].
+    ///
+    /// # Errors
+    /// What `look` reports of a tile, and of an archive that cannot be opened.
+    pub fn at(&mut self, world: &mut World, asked: &Question, look: Look) -> Result<Option<Value>> {
+        let Question { state, lat_deg, lng_deg, unix_seconds } = asked;
+        let (lat, lon) = (lat_deg.to_radians(), lng_deg.to_radians());
+        world.set_beach_slope(state.settings.surf.beach_slope);
+        let Some(sample) = world.sample_by(lat, lon, look)? else { return Ok(None) };
+        let json = |e: serde_json::Error| Error::bad_data("the sample", e.to_string(), "report this");
+        let mut object = serde_json::to_value(sample).map_err(json)?;
+        // Elevations are measured from the sea's level, wherever that is drawn.
+        let geoid_m = geoid::height_m(lat, lon);
+        object["geoid_m"] = geoid_m.into();
+        object["elevation_over_geoid_m"] = sample.elevation_m.into();
+        object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
+        object["surface"] = Value::Null;
+        let tables = self.seas.tables(&state.settings);
+        let height_m = |gains| Value::from(tables.height_gain(gains) * tables.sea.hs_m);
+        if let Some(depth_m) = sample.depth_m {
+            let Some(gains) = self.gains(world, state, (Water::Ocean, lat, lon), look)? else { return Ok(None) };
+            let has_trains = sample.shallows().is_some() && state.settings.quality != Quality::Low;
+            if has_trains && !self.shores.prepare_at(world, (&tables, state.settings.wind_from()), lat, lon) {
+                return Ok(None);
+            }
+            let trains = sample.shallows().filter(|_| has_trains);
+            let ticks = waves::ticks_from_unix(*unix_seconds);
+            let shore = trains.and_then(|shallows| self.shores.waves_at((lat, lon), shallows, ticks));
+            let found = self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore);
+            let over_rest_m = found.height_m - state.settings.datum.rest_m(lat, lon);
+            let mut surface = serde_json::to_value(found).map_err(json)?;
+            // What `sampleSurface` tells, which knows no land.
+            let open = self.seas.sample(&state.settings, lat, lon, *unix_seconds, f64::INFINITY);
+            surface["open_sea"] = json!({ "height_m": open.height_m, "normal_enu": open.normal_enu });
+            surface["height_over_geoid_m"] = over_rest_m.into();
+            surface["height_over_ellipsoid_m"] = (over_rest_m + geoid_m).into();
+            surface["time"] = SceneTime::At(*unix_seconds).to_string().into();
+            surface["hs_m"] = tables.sea.hs_m.into();
+            surface["hs_here_m"] = height_m(gains);
+            surface["gains"] = gains.to_vec().into();
+            surface["tp_s"] = tables.sea.spectrum().peak_period().into();
+            object["surface"] = surface;
+        }
+        if sample.class == WaterClass::Lake {
+            let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
+            object["lake_hs_m"] = height_m(gains);
+        }
+        object["lat_deg"] = (*lat_deg).into();
+        object["lng_deg"] = ((lng_deg + 180.0).rem_euclid(360.0) - 180.0).into();
+        Ok(Some(object))
+    }
+
+    /// How much higher than the open sea's the waves of each patch are at a place; `None` while tiles are on their way.
+    fn gains(
+        &mut self,
+        world: &mut World,
+        state: &ViewState,
+        place: (Water, f64, f64),
+        look: Look,
+    ) -> Result<Option<[f64; waves::CASCADES]>> {
+        let tables = self.seas.tables(&state.settings);
+        let mut failed = None;
+        let mut found = |id| {
+            look(world, Layer::Water, id).unwrap_or_else(|error| {
+                failed.get_or_insert(error);
+                Found::Absent
+            })
+        };
+        let gains: Option<[f64; RINGS]> =
+            self.seas.shelter.at((&tables, state.settings.wind_from()), place, &mut found);
+        // A lee that a damaged tile hides must not be told as open sea.
+        failed.map_or(Ok(gains.map(of_patches)), Err)
+    }
+}
