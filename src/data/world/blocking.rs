@@ -16,7 +16,7 @@ impl World {
     /// What is at geodetic `lat`, `lon` (radians), loading what it needs now.
     ///
     /// # Errors
-    /// What opening or reading the archives reports; [`Error::BadData`] if there is no terrain at all.
+    /// What opening or reading the archives reports; an error of [`sample_by`](Self::sample_by) if there is no terrain at all.
     pub fn sample_blocking(&mut self, lat: f64, lon: f64) -> Result<Sample> {
         let found = self.sample_by(lat, lon, Self::look_blocking)?;
         Ok(found.expect("tiles that are waited for are not on their way"))
