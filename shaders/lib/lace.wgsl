@@ -68,9 +68,13 @@ fn normal_quantile(share: f32) -> f32 {
 }
 
 // The film of bubbles that outlives whitecaps: its share of the water, where it drifts together into rows, and its opacity. Neither has been
-// measured: ours give the first film at grade 6, marked rows at 8, and the white sea of 12.
+// measured: ours give the first film at grade 6, marked rows at 8, a surface that is white as a whole at 10 and the white sea of 12. Less than what thin foam
+// leaves of a whole, lest the two be more.
 fn film_share() -> f32 { return 1.0 - exp(-3.0 * frame.whitecaps); }
-fn film_opacity() -> f32 { return (0.13 + 0.4 * frame.whitecaps) * smoothstep(0.012, 0.08, frame.whitecaps); }
+fn film_opacity() -> f32 {
+    let storm = 0.3 * smoothstep(0.12, 0.3, frame.whitecaps);
+    return min((0.13 + 0.4 * frame.whitecaps + storm) * smoothstep(0.012, 0.08, frame.whitecaps), 0.58);
+}
 
 // What a pixel sees of the lace: levels of foam (x), of the film (y) and of dense foam (z), and the variances that it hides of them.
 struct Lace {
