@@ -212,8 +212,13 @@ impl Renderer {
             // Coarse tiles are far ones.
             let shows_beaches = side.shows_surf && kind.shows_lakes();
             let beach = |id| shows_beaches && has_beach(id, &self.streaming);
-            let is_near = nearest_pixel_m(&frame.camera, frame.size, tiles, &self.streaming) < GROWTH_M;
-            let near = if side.shows_lakes { Near::Lakes } else { [Near::Nothing, Near::Growth][usize::from(is_near)] };
+            let near = if side.shows_lakes {
+                Near::Lakes
+            } else if nearest_pixel_m(&frame.camera, frame.size, tiles, &self.streaming) < GROWTH_M {
+                Near::Growth
+            } else {
+                Near::Nothing
+            };
             self.land.set_tiles(&self.gpu, near, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
         }
         if frame.has_light() {

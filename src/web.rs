@@ -232,7 +232,12 @@ pub async fn measure(
             let (world, places) =
                 worlds.entry(data_base.clone()).or_insert_with(|| (World::open(&data_base), MeasuredPlaces::default()));
             world.poll();
-            places.at(world, &asked, World::look_strictly)
+            let found = places.at(world, &asked, World::look_strictly);
+            // What could not be fetched may be there when a script asks again.
+            if found.is_err() {
+                worlds.remove(&data_base);
+            }
+            found
         });
         if let Some(found) = found.map_err(failed)? {
             return js_sys::JSON::parse(&found.to_string());
