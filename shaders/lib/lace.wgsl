@@ -27,8 +27,8 @@ const SHADED: f32 = 0.35;
 const SHADE: f32 = 0.45;
 // The film: how much lower than foam it lies about it, the width of its edge, where two fifths of its opacity come about, and of the rest.
 const FILM_AROUND: f32 = 0.5;
-const FILM_EDGE: f32 = 0.2;
-const FILM_RAMP: f32 = 0.8;
+const FILM_EDGE: f32 = 0.08;
+const FILM_RAMP: f32 = 0.35;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
 const ROWS = vec2f(0.45, 0.5);
 const NETS = vec3f(0.42, 0.2, 0.38);
@@ -43,11 +43,10 @@ const MASSES_IN_ROWS: f32 = 0.05;
 // Thin foam and film are rafts of bubbles with water between, on a net of their own: rafts' share of thin foam, and what is white of a raft
 // in the film.
 const RAFTS: f32 = 0.5;
-const FILM_RAFT: f32 = 0.55;
-const RAFT_EDGE: f32 = 0.3;
-// How plainly rafts show, of thin foam that covers little and much of the water, and of the film; in storms, which churn them, less.
+const FILM_RAFT: f32 = 0.85;
+const RAFT_EDGE: f32 = 0.15;
+// How plainly rafts show, of thin foam that covers little and much of the water, and of the film.
 const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
-const CHURNED: f32 = 0.25;
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.25;
@@ -188,8 +187,7 @@ fn shade_of(rise: f32, thick: f32, deviation: f32, fine: bool) -> f32 {
 // What is seen of rafts where foam covers a share, and of the film's.
 fn shown_rafts(share: f32, rafts: vec2f, fine: bool) -> vec2f {
     if !fine { return rafts; }
-    let show = vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), RAFTS_SHOW.z);
-    return mix(vec2f(1.0), rafts, show * (1.0 - CHURNED * smoothstep(0.09, 0.2, frame.whitecaps)));
+    return mix(vec2f(1.0), rafts, vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), RAFTS_SHOW.z));
 }
 
 // Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's waves that the depth leaves.
