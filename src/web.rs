@@ -22,7 +22,6 @@ use crate::model::waves;
 use crate::renderer::Renderer;
 use crate::scene::measured_place::{MeasuredPlaces, Question};
 use crate::scene::sea::Seas;
-use crate::scene::sea::surface_sample::sample_link;
 use crate::scene::view::named;
 use crate::scene::view::state::ViewState;
 
@@ -173,8 +172,13 @@ pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
     waves_hash(seed, speed_mps)
 }
 
-/// The surface of the open sea at a place, as if there were no land ([`measure`] knows it), from the same numbers that are drawn: `{height, normal: [east, north, up]}`, metres
-/// over the ellipsoid and a unit vector. `fragment` is a link's, which says the sea; `time` ISO 8601, `now`, or empty for the
+/// An error as scripts have them.
+fn failed(error: Error) -> JsValue {
+    js_sys::Error::new(&error.to_string()).into()
+}
+
+/// The surface of the open sea at a place, as if there were no land ([`measure`] knows it), from the same numbers that are drawn:
+/// `{height, normal: [east, north, up]}`, metres over the ellipsoid and a unit vector. `fragment` is a link's, which says the sea; `time` ISO 8601, `now`, or empty for the
 /// link's.
 ///
 /// The first sample of an instant costs some tenths of a second, further ones microseconds: ask for many places of one instant.
@@ -183,13 +187,12 @@ pub fn h0_hash(seed: u32, speed_mps: f64) -> String {
 /// An `Error` that says in one line which argument is not valid and what would be.
 #[wasm_bindgen(js_name = sampleSurface)]
 pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::result::Result<JsValue, JsValue> {
-    let failed = |error: Error| JsValue::from(js_sys::Error::new(&error.to_string()));
     thread_local! {
         /// The sea that the page's scripts measure, which need not be the one that the page shows.
         static MEASURED: RefCell<Seas> = RefCell::default();
     }
-    let sample = MEASURED.with_borrow_mut(|seas| sample_link(seas, fragment, lng, lat, time, unix_now_s()));
-    let sample = sample.map_err(failed)?;
+    let asked = Question::of_script(fragment, lng, lat, time, unix_now_s()).map_err(failed)?;
+    let sample = MEASURED.with_borrow_mut(|seas| asked.open_sea(seas));
     let object = js_sys::Object::new();
     let normal: js_sys::Array = sample.normal_enu.into_iter().map(JsValue::from_f64).collect();
     js_sys::Reflect::set(&object, &"height".into(), &sample.height_m.into())?;
@@ -220,11 +223,7 @@ pub async fn measure(
         /// The worlds that scripts measure, by where they lie. They are not the one on show: that has the tiles of its view alone.
         static MEASURED: RefCell<HashMap<String, (World, MeasuredPlaces)>> = RefCell::default();
     }
-    let failed = |error: Error| JsValue::from(js_sys::Error::new(&error.to_string()));
-    let (state, complaints) = ViewState::parse_fragment(&fragment, None);
-    complaints.into_iter().next().map_or(Ok(()), |complaint| Err(failed(complaint)))?;
-    let time = Some(time.as_str()).filter(|time| !time.trim().is_empty());
-    let asked = Question::new(state, (lat, lng), time, unix_now_s()).map_err(failed)?;
+    let asked = Question::of_script(&fragment, lng, lat, &time, unix_now_s()).map_err(failed)?;
     let [wait_ms, patience_ms] = MEASURE_MS;
     for _ in 0..patience_ms / wait_ms {
         // Nothing is held while the page goes on: others may measure meanwhile.

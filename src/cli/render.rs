@@ -15,6 +15,8 @@ use crate::scene::settings::Datum;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::state::ViewState;
 
+pub use crate::scene::link::fragment::parse_state;
+
 pub mod command;
 pub mod flight;
 
@@ -86,15 +88,6 @@ pub fn parse_size(text: &str) -> Result<[u32; 2]> {
     text.split_once(['x', 'X', '×'])
         .and_then(|(w, h)| Some([side(w)?, side(h)?]))
         .ok_or_else(|| Error::bad_value("size", text, format!("give WIDTHxHEIGHT, each 1 to {LARGEST}, e.g. 1280x720")))
-}
-
-/// The view of a fragment. What it cannot use is an error here: a script must not get another view than it asked for.
-///
-/// # Errors
-/// The first complaint of the fragment's parser.
-pub fn parse_state(text: &str) -> Result<ViewState> {
-    let (state, complaints) = ViewState::parse_fragment(text, None);
-    complaints.into_iter().next().map_or(Ok(state), Err)
 }
 
 /// A headless renderer over the world in `data`.

@@ -3,7 +3,6 @@
 use std::time::{Duration, Instant};
 
 use crate::app::clock::unix_now_s;
-use crate::cli::render::parse_state;
 use crate::data::world::World;
 use crate::error::{Error, Result};
 use crate::scene::measured_place::{MeasuredPlaces, Question};
@@ -44,7 +43,7 @@ pub fn sample(args: &SampleArgs) -> Result<serde_json::Value> {
     if lat_deg.abs() > 90.0 {
         return Err(bad());
     }
-    let asked = Question::new(parse_state(&args.state)?, (lat_deg, lon_deg), args.time.as_deref(), unix_now_s())?;
+    let asked = Question::of_link(&args.state, (lat_deg, lon_deg), args.time.as_deref(), unix_now_s())?;
     let (mut world, mut places) = (World::open(&args.data), MeasuredPlaces::default());
     let start = Instant::now();
     loop {

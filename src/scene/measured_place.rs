@@ -12,10 +12,11 @@ use crate::error::{Error, Result};
 use crate::model::sheltered_sea::RINGS;
 use crate::model::spectrum::DirectionalSpectrum;
 use crate::model::waves;
+use crate::scene::link::fragment::parse_state;
 use crate::scene::sea::Seas;
 use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::shores::Shores;
-use crate::scene::sea::surface_sample::instant;
+use crate::scene::sea::surface_sample::SurfaceSample;
 use crate::scene::settings::Quality;
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
@@ -30,20 +31,39 @@ pub struct Question {
 }
 
 impl Question {
-    /// Latitude and longitude in degrees, in the sea of a state, at an ISO 8601 instant (`now`, or none for the state's own; `now_s` is the clock's,
-    /// UTC seconds since 1970).
+    /// Latitude and longitude in degrees, in the sea of a link's fragment, at an ISO 8601 instant (`now`, or none for the link's own; `now_s` is the
+    /// clock's, UTC seconds since 1970).
     ///
     /// # Errors
-    /// [`Error::BadValue`] for a place or an instant that is none.
-    pub fn new(state: ViewState, (lat_deg, lng_deg): (f64, f64), time: Option<&str>, now_s: f64) -> Result<Self> {
+    /// [`Error::BadValue`] for a fragment, a place or an instant that is none.
+    pub fn of_link(fragment: &str, (lat_deg, lng_deg): (f64, f64), time: Option<&str>, now_s: f64) -> Result<Self> {
+        let state = parse_state(fragment)?;
         if !lng_deg.is_finite() {
             return Err(Error::bad_value("longitude", lng_deg, "give degrees east, e.g. -14.25"));
         }
         if !(-90.0..=90.0).contains(&lat_deg) {
             return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
         }
-        let unix_seconds = instant(&state, time, now_s)?;
-        Ok(Self { state, lat_deg, lng_deg, unix_seconds })
+        let remedy = "write an instant as 2026-11-20T12:00:00Z, or now";
+        let time = match time {
+            Some(text) => SceneTime::parse(text).ok_or_else(|| Error::bad_value("time", text, remedy))?,
+            None => state.time,
+        };
+        Ok(Self { unix_seconds: time.unix_seconds(now_s), state, lat_deg, lng_deg })
+    }
+
+    /// As a script of a page asks it: degrees east first, and an empty time is the link's.
+    ///
+    /// # Errors
+    /// Those of [`Question::of_link`].
+    pub fn of_script(fragment: &str, lng_deg: f64, lat_deg: f64, time: &str, now_s: f64) -> Result<Self> {
+        Self::of_link(fragment, (lat_deg, lng_deg), Some(time).filter(|time| !time.trim().is_empty()), now_s)
+    }
+
+    /// The surface there as if there were no land.
+    pub fn open_sea(&self, seas: &mut Seas) -> SurfaceSample {
+        let (lat, lon) = (self.lat_deg.to_radians(), self.lng_deg.to_radians());
+        seas.sample(&self.state.settings, lat, lon, self.unix_seconds, f64::INFINITY)
     }
 }
 
@@ -87,7 +107,7 @@ impl MeasuredPlaces {
             let over_rest_m = found.height_m - state.settings.datum.rest_m(lat, lon);
             let mut surface = serde_json::to_value(found).map_err(json)?;
             // What `sampleSurface` tells, which knows no land.
-            let open = self.seas.sample(&state.settings, lat, lon, *unix_seconds, f64::INFINITY);
+            let open = asked.open_sea(&mut self.seas);
             surface["open_sea"] = json!({ "height_m": open.height_m, "normal_enu": open.normal_enu });
             surface["height_over_geoid_m"] = over_rest_m.into();
             surface["height_over_ellipsoid_m"] = (over_rest_m + geoid_m).into();

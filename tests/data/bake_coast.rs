@@ -8,7 +8,6 @@ use ocean_globe::data::water::WaterClass;
 use ocean_globe::data::world::{DEEPEST_SHORES, Outcome, World};
 use ocean_globe::error::Result;
 use ocean_globe::scene::measured_place::{MeasuredPlaces, Question};
-use ocean_globe::scene::view::state::ViewState;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -199,7 +198,7 @@ fn a_sample_beside_a_damaged_tile_is_refused_rather_than_told_as_open_sea() {
 
 /// As `sample`, at the epoch, for who cannot wait for a tile.
 fn polled(world: &mut World, [lat, lon]: [f64; 2]) -> Result<serde_json::Value> {
-    let asked = Question::new(ViewState::parse_fragment("", None).0, (lat, lon), Some("1970-01-01T00:00:00Z"), 0.0)?;
+    let asked = Question::of_link("", (lat, lon), Some("1970-01-01T00:00:00Z"), 0.0)?;
     let (mut places, until) = (MeasuredPlaces::default(), Instant::now() + Duration::from_secs(60));
     loop {
         if let Some(found) = places.at(world, &asked, World::look_strictly)? {

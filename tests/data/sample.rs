@@ -5,8 +5,9 @@
 use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::world::World;
 use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::scene::measured_place::Question;
 use ocean_globe::scene::sea::Seas;
-use ocean_globe::scene::sea::surface_sample::{allowed_by_depth, sample_link};
+use ocean_globe::scene::sea::surface_sample::allowed_by_depth;
 use ocean_globe::scene::settings::Settings;
 use serde_json::Value;
 
@@ -139,7 +140,7 @@ fn the_surface_of_the_sea_is_told_where_there_is_sea() {
     assert_ne!(gale["height_m"], surface("35.68,-14.25", "#bft=8", Some("2026-11-20T12:01:00Z"))["height_m"]);
     // And the same as the page's function finds, which takes the water for deep.
     let mut seas = Seas::default();
-    let linked = sample_link(&mut seas, "#bft=8", -14.25, 35.68, "2026-11-20T12:00:00Z", 0.0).unwrap();
+    let linked = Question::of_link("#bft=8", (35.68, -14.25), noon, 0.0).unwrap().open_sea(&mut seas);
     assert_eq!(gale["height_m"], linked.height_m);
     let up = gale["normal_enu"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap().powi(2)).sum::<f64>();
     assert!((up - 1.0).abs() < 1e-12 && linked.height_m.abs() < 5.5);
@@ -152,7 +153,8 @@ fn the_surface_of_the_sea_is_told_where_there_is_sea() {
 
 #[test]
 fn the_pages_function_refuses_what_is_no_place() {
-    let found = |fragment, lng, lat, time| sample_link(&mut Seas::default(), fragment, lng, lat, time, 1.8e9);
+    let asked = |fragment, lng, lat, time| Question::of_script(fragment, lng, lat, time, 1.8e9);
+    let found = |fragment, lng, lat, time| asked(fragment, lng, lat, time).map(|at| at.open_sea(&mut Seas::default()));
     for (lng, lat) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (0.0, 90.1), (0.0, f64::NAN)] {
         let error = found("#bft=5", lng, lat, "now").unwrap_err().to_string();
         assert!(error.contains("tude"), "{error}");

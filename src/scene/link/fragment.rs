@@ -7,7 +7,7 @@
 //! value stays; numbers are checked finite, then clamped. Unknown pairs are kept as they were written.
 //! Values are ids and numbers, never addresses: a link cannot make a page fetch from a stranger's host.
 
-use crate::error::Error;
+use crate::error::{Error, Result};
 use crate::scene::layers::Layers;
 use crate::scene::link::maplibre;
 use crate::scene::link::number::{clamped, decimal, whole};
@@ -29,6 +29,15 @@ const KEYS: [&str; 21] = [
     "view", "ride", "wind", "bft", "spectrum", "fetch", "swell", "chop", "foam", "haze", "clouds", "water", "surf",
     "time", "rate", "seed", "mesh", "quality", "datum", "layers", "v",
 ];
+
+/// The view of a fragment. What it cannot use is an error here: a script must not get another view than it asked for.
+///
+/// # Errors
+/// The first complaint of the fragment's parser.
+pub fn parse_state(text: &str) -> Result<ViewState> {
+    let (state, complaints) = ViewState::parse_fragment(text, None);
+    complaints.into_iter().next().map_or(Ok(state), Err)
+}
 
 impl ViewState {
     /// Reads a fragment, with or without `#`; what it does not say has its default. The errors name the pairs that
@@ -104,7 +113,7 @@ impl ViewState {
     }
 
     /// Sets one key from its decoded value. Notes that do not spoil the pair go to `notes`.
-    fn set(&mut self, key: &str, value: &str, notes: &mut Vec<Error>) -> Result<(), Error> {
+    fn set(&mut self, key: &str, value: &str, notes: &mut Vec<Error>) -> Result<()> {
         let bad = |remedy: &str| Error::bad_value(key, value, remedy);
         let s = &mut self.settings;
         match key {

@@ -2,15 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::error::{Error, Result};
 use crate::model::moved_water::Place;
 use crate::model::surf::SurfWave;
 use crate::model::waves::{self, CASCADES};
 use crate::scene::sea::Seas;
 use crate::scene::sea::shores::ShoreWaves;
 use crate::scene::settings::Settings;
-use crate::scene::time::SceneTime;
-use crate::scene::view::state::ViewState;
 
 /// The Jacobian that the drawn slope divides by is at least this, so that a fold has a normal.
 pub const LEAST_JACOBIAN: f64 = 0.25;
@@ -107,44 +104,4 @@ impl Seas {
             jacobian,
         }
     }
-}
-
-/// The surface at a place of the open sea in degrees, in the sea of a link's fragment, at an ISO 8601 instant (`now`, or an empty
-/// text for the link's own; `now_s` is the clock's, UTC seconds since 1970).
-///
-/// # Errors
-/// [`Error::BadValue`] for a fragment, a place or an instant that is none.
-pub fn sample_link(
-    seas: &mut Seas,
-    fragment: &str,
-    lng_deg: f64,
-    lat_deg: f64,
-    time: &str,
-    now_s: f64,
-) -> Result<SurfaceSample> {
-    let (state, complaints) = ViewState::parse_fragment(fragment, None);
-    if let Some(complaint) = complaints.into_iter().next() {
-        return Err(complaint);
-    }
-    if !lng_deg.is_finite() {
-        return Err(Error::bad_value("longitude", lng_deg, "give degrees east, e.g. -14.25"));
-    }
-    if !(-90.0..=90.0).contains(&lat_deg) {
-        return Err(Error::bad_value("latitude", lat_deg, "give degrees north, -90 to 90, e.g. 35.68"));
-    }
-    let instant = instant(&state, Some(time).filter(|time| !time.trim().is_empty()), now_s)?;
-    Ok(seas.sample(&state.settings, lat_deg.to_radians(), lng_deg.to_radians(), instant, f64::INFINITY))
-}
-
-/// The instant that a text asks for, else the state's, UTC seconds since 1970.
-///
-/// # Errors
-/// [`Error::BadValue`] for a text that is no instant.
-pub fn instant(state: &ViewState, time: Option<&str>, now_s: f64) -> Result<f64> {
-    let remedy = "write an instant as 2026-11-20T12:00:00Z, or now";
-    let time = match time {
-        Some(text) => SceneTime::parse(text).ok_or_else(|| Error::bad_value("time", text, remedy))?,
-        None => state.time,
-    };
-    Ok(time.unix_seconds(now_s))
 }
