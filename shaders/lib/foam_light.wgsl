@@ -25,8 +25,8 @@ fn flat_foam(white: f32, plume: f32) -> Foam {
 fn foam_radiance(foam: Foam, normal: vec3f, to_sun: vec3f, sun: vec3f, ambient: vec3f) -> vec3f {
     let own = normalize(normal - vec3f(foam.slope, 0.0));
     let wrapped = max((dot(own, to_sun) + FOAM_WRAP) / (1.0 + FOAM_WRAP), 0.0);
-    // A hollow sees less of the sky.
-    let open = 1.0 - 0.3 * min(dot(foam.slope, foam.slope), 1.0);
+    // What a slope faces of an even sky; its steepest edges, of which pixels show but few, count as 45 degrees.
+    let open = 0.5 + 0.5 * inverseSqrt(1.0 + min(dot(foam.slope, foam.slope), 1.0));
     let colour = mix(THIN_FOAM_COLOUR, vec3f(1.0), saturate(2.0 * foam.white));
     return FOAM_ALBEDO / PI * foam.open * colour * (sun * wrapped + ambient * open);
 }

@@ -28,10 +28,14 @@ const SHADE: f32 = 0.45;
 // The film: how much lower than foam it lies about it, the width of its edge, where two fifths of its opacity come about, and of the rest.
 const FILM_AROUND: f32 = 0.5;
 const FILM_EDGE: f32 = 0.08;
-const FILM_RAMP: f32 = 0.35;
+const FILM_RAMP: f32 = 0.9;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
 const ROWS = vec2f(0.45, 0.5);
 const NETS = vec3f(0.42, 0.2, 0.38);
+// Storms draw foam out along the wind: parts of the middle net and of the bubbles that streaks have then, and shares of the water that break at which it
+// begins and ends.
+const STREAKED = vec2f(0.8, 0.64);
+const STREAKED_IN = vec2f(0.05, 0.2);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
 const TURNS = vec3f(1.6, 1.8, 1.6);
@@ -66,15 +70,6 @@ fn normal_quantile(share: f32) -> f32 {
     return select(tail, -tail, p < 0.5);
 }
 
-// The film of bubbles that outlives whitecaps: its share of the water, where it drifts together into rows, and its opacity. Neither has been
-// measured: ours give the first film at grade 6, marked rows at 8, a surface that is white as a whole at 10 and the white sea of 12. Less than what thin foam
-// leaves of a whole, lest the two be more.
-fn film_share() -> f32 { return 1.0 - exp(-3.0 * frame.whitecaps); }
-fn film_opacity() -> f32 {
-    let storm = 0.3 * smoothstep(0.12, 0.3, frame.whitecaps);
-    return min((0.13 + 0.4 * frame.whitecaps + storm) * smoothstep(0.012, 0.08, frame.whitecaps), 0.58);
-}
-
 // What a pixel sees of the lace: levels of foam (x), of the film (y) and of dense foam (z), and the variances that it hides of them.
 struct Lace {
     level: vec3f,
@@ -86,12 +81,18 @@ struct Lace {
 }
 
 // Share of the film that has bubbles.
-fn film_rafts() -> f32 { return clamp(film_opacity() / FILM_RAFT, 0.2, 0.9); }
+fn film_rafts() -> f32 { return clamp(frame.film.y / FILM_RAFT, 0.2, 0.7); }
 
 // What a pixel shows of rafts that cover a share, over their mean.
 fn rafts(bubbles: Net, share: f32) -> f32 {
     let above = bubbles.level + normal_quantile(share) * sqrt(1.0 + RAFT_EDGE * RAFT_EDGE);
     return normal_share(above * inverseSqrt(1.0 - bubbles.kept + RAFT_EDGE * RAFT_EDGE)) / share;
+}
+
+// Two nets as one, of which the second has a share of the variance.
+fn both(a: Net, b: Net, share: f32) -> Net {
+    let weights = sqrt(vec2f(1.0 - share, share));
+    return Net(dot(weights, vec2f(a.level, b.level)), mix(a.kept, b.kept, share), weights.x * a.slope + weights.y * b.slope);
 }
 
 // The lace at a place of the foam map's plane, `finer` times as small as on the open water, with relief of the same steepness.
@@ -109,12 +110,18 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
         nets /= nets.x + nets.y + nets.z;
     }
     // Nets of 31 by 15, 4.4 by 2.2 and 81 by 40 m along the wind and across it, none of them turned like another; rows of 256 m, eight times as long along the wind.
-    let middle = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
+    var middle = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
     let small = net(finer * vec2i(7, 2), vec2i(128, 64), bent, footprint);
     let coarse = net(finer * vec2i(3, 1), vec2i(1024, 512), bent, footprint);
     let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
     // And one of 1.57 m, for bubbles.
-    let bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
+    var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
+    let streaked = STREAKED * smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps);
+    if streaked.x > 0.0 {
+        // Of 170 by 21 m and 28 by 3.5 m.
+        middle = both(middle, net(finer * vec2i(3, 0), vec2i(2048, 256), bent, footprint), streaked.x);
+        bubbles = both(bubbles, net(finer * vec2i(9, -1), vec2i(1024, 128), bent, footprint), streaked.y);
+    }
     let levels = vec4f(middle.level, small.level, coarse.level, rows.level);
     let kept = vec4f(middle.kept, small.kept, coarse.kept, rows.kept);
     // Squares of the weights, which sum to one.
@@ -193,14 +200,14 @@ fn shown_rafts(share: f32, rafts: vec2f, fine: bool) -> vec2f {
 // Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's waves that the depth leaves.
 fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> Foam {
     let above = excess(share, seen.level.x);
-    let film = film_opacity();
+    let film = frame.film.y;
     let deviation = inverseSqrt(seen.hidden.z + THICK_RAMP * THICK_RAMP);
     let rise = (seen.level.z - dense_from) * deviation;
     let thick = normal_share(rise);
     let inside = covered(above, seen.hidden.x);
     let rafts = shown_rafts(share, seen.rafts, fine);
     let white = opacity(above, inside, seen.hidden.x, rise, thick, deviation, rafts.x, film, fine);
-    let threshold = max(normal_quantile(calmed * film_share()), normal_quantile(share) + FILM_AROUND);
+    let threshold = max(normal_quantile(calmed * frame.film.x), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
     // Within thin foam the film lies between the rafts.
     let between = mix((1.0 - RAFTS * rafts.x) / (1.0 - RAFTS), 1.0, thick);
@@ -230,9 +237,9 @@ fn mean_foam(share: f32, dense_from: f32, calmed: f32, fine: bool) -> Foam {
     let deviation = inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP);
     let rise = -dense_from * deviation;
     let thick = normal_share(rise);
-    let film = film_opacity();
+    let film = frame.film.y;
     let white = opacity(above, share, 1.0, rise, thick, deviation, 1.0, film, fine);
-    let threshold = max(normal_quantile(calmed * film_share()), quantile + FILM_AROUND);
+    let threshold = max(normal_quantile(calmed * frame.film.x), quantile + FILM_AROUND);
     let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.

@@ -25,6 +25,23 @@ pub const YOUNG_S: f64 = 1.0;
 /// Time in which a breaking crest turns white to 1 − 1/e, s.
 pub const GROWTH_S: f64 = 0.25;
 
+/// The film of bubbles that outlives whitecaps, by [`breaking_fraction`](super::sea_state::breaking_fraction): its share of the water, where it drifts
+/// together into rows, and its opacity there. Neither has been measured: ours follow the Beaufort scale, with the first film at grade 6, marked rows at 8, a
+/// surface that is white as a whole at 10 and completely white at 12.
+pub fn film(breaking: f64) -> [f64; 2] {
+    let ramp = |from: f64, to: f64| {
+        let x = ((breaking - from) / (to - from)).clamp(0.0, 1.0);
+        x * x * (3.0 - 2.0 * x)
+    };
+    let opacity = (0.13 + 0.4 * breaking + 0.3 * ramp(0.12, 0.3)) * ramp(0.012, 0.08);
+    [1.0 - libm::exp(-3.0 * breaking.min(MOST_BREAKING)), opacity.min(MOST_FILM)]
+}
+
+/// The film covers no more than where so much breaks: where it lay all over, all seas would look alike.
+const MOST_BREAKING: f64 = 0.55;
+/// Opacity of the film, at most: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies twice as dense.
+const MOST_FILM: f64 = 0.5;
+
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
 /// for any step. A lifetime of 0 or less leaves Fₑ.
 pub fn relaxed(foam: f64, equilibrium: f64, dt_s: f64, lifetime_s: f64) -> f64 {

@@ -104,8 +104,14 @@ pub fn wind_components(speed_mps: f64, from: f64) -> (f64, f64) {
     (-speed_mps * sin, -speed_mps * cos)
 }
 
-/// Share of the surface under active whitecaps at a wind speed in m/s at 10 m: 3.84e-6 U^3.41
-/// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)), capped at a quarter, where the fit leaves its data.
+/// Share of the surface under active whitecaps at a wind speed in m/s at 10 m, [`breaking_fraction`] capped at a quarter, where the fit leaves its
+/// data.
 pub fn whitecap_fraction(speed_mps: f64) -> f64 {
-    (3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)).min(0.25)
+    breaking_fraction(speed_mps).min(0.25)
+}
+
+/// How much of the sea breaks, 3.84e-6 U^3.41 ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)): beyond a quarter not a share, but how
+/// often water is struck white again.
+pub fn breaking_fraction(speed_mps: f64) -> f64 {
+    3.84e-6 * libm::pow(speed_mps.max(0.0), 3.41)
 }

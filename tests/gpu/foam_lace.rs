@@ -1,9 +1,10 @@
 //! Foam's lace: the share that it is told to cover is covered, and means do not depend on how wide pixels are.
 
 use bytemuck::{Pod, Zeroable};
+use glam::DVec2;
 use ocean_globe::gpu::pipeline::Bind;
 use ocean_globe::gpu::{Gpu, shader, texture};
-use ocean_globe::model::{foam, noise};
+use ocean_globe::model::{foam, noise, sea_state};
 use ocean_globe::pass;
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
@@ -59,7 +60,7 @@ struct Found {
     unused: [f32; 2],
 }
 
-/// Shares of the water under whitecaps: of a breeze, whose foam has neither rows nor a film, and of a storm.
+/// Shares of the water that break: of a breeze, whose foam has neither rows nor a film, and of a storm.
 const BREEZE: f32 = 0.005;
 const STORM: f32 = 0.2;
 const SHARES: [f32; 6] = [0.01, 0.03, 0.1, 0.3, 0.6, 0.9];
@@ -73,16 +74,17 @@ struct Lace {
 }
 
 impl Lace {
-    fn new(whitecaps: f32) -> Self {
-        Self::around_eye(whitecaps, [0; 2])
+    fn new(breaking: f32) -> Self {
+        Self::around_eye(breaking, [0; 2])
     }
 
     /// For an eye so many texels farther down the wind and across it.
-    fn around_eye(whitecaps: f32, moved: [i32; 2]) -> Self {
+    fn around_eye(breaking: f32, moved: [i32; 2]) -> Self {
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
         let camera = Camera::from_degrees(10.0, -30.0, 10.0, 0.0, 0.0);
         let mut frame = Frame::new(&Settings::default(), &camera, 1.7e9, [64; 2]);
-        frame.uniform.whitecaps = whitecaps;
+        frame.uniform.whitecaps = breaking.min(0.25);
+        frame.uniform.film = DVec2::from(foam::film(f64::from(breaking))).as_vec2();
         frame.uniform.lace_texel = [0, 1].map(|axis| frame.uniform.lace_texel[axis] + moved[axis]);
         // As high as a gale's: dense foam lies in its widest masses.
         frame.uniform.wave_height = 6.0;
@@ -124,12 +126,31 @@ impl Lace {
             .map(|part| found.iter().map(|f| f64::from(part(f))).sum::<f64>() / found.len() as f64)
     }
 
-    /// Correlations of the levels of all foam and of dense foam with those so many texels farther on.
+    /// Correlations of the levels of all foam and of dense foam with those so many texels farther on along the middle net's tile.
     fn correlations(&self, texels: f32) -> [f64; 2] {
-        let levels = |texels| {
-            self.found(|at| Asked { at, share: 0.1, young: 0.1, footprint: 0.02, texels, finer: 1, coarse: 0 })
+        self.correlated([0.0; 2], texels)
+    }
+
+    /// Correlation of the level of all foam with that so many metres down the wind and across it.
+    fn correlation_along(&self, [down, across]: [f32; 2]) -> f64 {
+        let [x, y] = self.wind;
+        self.correlated([-x * down + y * across, -y * down - x * across], 0.0)[0]
+    }
+
+    /// Correlations with the levels at places moved by metres of the map and texels of the lace.
+    fn correlated(&self, moved: [f32; 2], texels: f32) -> [f64; 2] {
+        let levels = |moved: [f32; 2], texels| {
+            self.found(|[x, y]| Asked {
+                at: [x + moved[0], y + moved[1]],
+                share: 0.1,
+                young: 0.1,
+                footprint: 0.02,
+                texels,
+                finer: 1,
+                coarse: 0,
+            })
         };
-        let (here, there) = (levels(0.0), levels(texels));
+        let (here, there) = (levels([0.0; 2], 0.0), levels(moved, texels));
         [|f: &Found| f64::from(f.foam), |f: &Found| f64::from(f.dense)].map(|level| {
             let product = |a: &[Found], b: &[Found]| a.iter().zip(b).map(|(a, b)| level(a) * level(b)).sum::<f64>();
             product(&here, &there) / (product(&here, &here) * product(&there, &there)).sqrt()
@@ -161,6 +182,27 @@ fn lace_covers_its_share_whatever_pixels_are_wide() {
             }
         }
     }
+}
+
+/// Opacity of the water of a Beaufort grade by all foam and film on it, from so high up that no pixel shows single ones, and the greatest anywhere.
+fn whiteness(grade: u8) -> [f64; 2] {
+    let speed = sea_state::speed_from_beaufort(f64::from(grade));
+    let (share, lace) =
+        (sea_state::whitecap_fraction(speed) as f32, Lace::new(sea_state::breaking_fraction(speed) as f32));
+    let greatest = |share| lace.aged(share, 0.05).iter().map(|f| f64::from(f.white)).fold(0.0, f64::max);
+    [lace.of(share, 1e4)[2], greatest(share).max(greatest(0.9))]
+}
+
+#[test]
+fn seas_are_as_white_as_the_beaufort_scale_says() {
+    let found = [4, 6, 8, 10, 12].map(whiteness);
+    println!("opacity of grades 4 to 12 and the greatest anywhere: {found:.3?}");
+    let [breeze, strong, gale, storm, hurricane] = found.map(|[mean, _]| mean);
+    // Fairly frequent white horses; white crests everywhere; well-marked streaks; the surface as a whole is white; it is completely white. Water sends a
+    // twentieth of dense foam's light back: where foam covers a quarter, most of the light is its own.
+    assert!(breeze < 0.02 && strong < 0.06 && gale < 0.2, "{found:?}");
+    assert!(storm > 2.0 * gale && storm > 0.25 && hurricane > 1.2 * storm, "{found:?}");
+    assert!(found.iter().all(|[_, greatest]| *greatest <= 1.0 + 1e-5), "{found:?}");
 }
 
 #[test]
@@ -196,6 +238,16 @@ fn dense_foam_lies_in_masses_wider_than_the_lace() {
     let [foam, dense] = lace.correlations(4.0);
     println!("{foam:.3} and {dense:.3}");
     assert!(dense > foam + 0.07, "{dense} and {foam}");
+}
+
+#[test]
+fn storms_draw_foam_out_along_the_wind() {
+    // What is left of the level 3 m on: farther than the meshes of old foam are wide, where nothing but rows is drawn out.
+    let [breeze, storm] =
+        [BREEZE, STORM].map(Lace::new).map(|lace| [[3.0, 0.0], [0.0, 3.0]].map(|way| lace.correlation_along(way)));
+    println!("down the wind and across it: breeze {breeze:.3?}, storm {storm:.3?}");
+    assert!(storm[0] - storm[1] > 0.2 && storm[0] > 0.5, "{storm:?}");
+    assert!((breeze[0] - breeze[1]).abs() < 0.1, "{breeze:?}");
 }
 
 #[test]

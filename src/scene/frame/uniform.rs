@@ -241,8 +241,10 @@ gpu_struct! {
         /// Waves that break on shores: their period where no trains have one, s; for how many seconds their fronts are dense; their height over the depth that they break
         /// in; in how many seconds their white water fades.
         surf: Vec4 = "vec4f",
-        /// How steeply usual beaches fall, metres per metre; width of the surf over the usual one; the rest is 0.
-        shore: Vec4 = "vec4f",
+        /// How steeply usual beaches fall, metres per metre; width of the surf over the usual one.
+        shore: Vec2 = "vec2f",
+        /// Share of the water under the film of old foam, and its opacity.
+        film: Vec2 = "vec2f",
         /// Patch lengths of the cascades, metres.
         patches: Vec4 = "vec4f",
         /// Spacings of their lattices.

@@ -73,6 +73,7 @@ pub fn set_foam(
     eye: &FoamEye,
 ) -> Option<f64> {
     u.whitecaps = whitecaps.share as f32;
+    u.film = DVec2::from(whitecaps.film).as_vec2();
     u.foam_heights = DVec2::from(whitecaps.heights_m).as_vec2();
     for (level, slot) in u.foam_levels.iter_mut().enumerate() {
         let (texel, fraction) = eye.texel(level);

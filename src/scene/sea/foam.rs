@@ -40,6 +40,8 @@ pub const SERVED_M: f64 = BLEND_WIDTH_M + 2.0 * 1_300.0;
 pub struct Whitecaps {
     /// Share of the surface that they cover.
     pub share: f64,
+    /// Share of it under the film that outlives them, and its opacity.
+    pub film: [f64; 2],
     /// Width of what breaks as one, metres, by level.
     pub breaking_m: [f64; LEVELS],
     /// Where foam is born, by level.
@@ -79,12 +81,13 @@ impl Whitecaps {
     /// ([Monahan and O'Muircheartaigh](crate::bibliography::Monahan1980)).
     pub fn without_map(foam: Foam, sea: &SeaTables) -> Self {
         let sea = &sea.sea;
-        let share =
-            if sea.hs_m > 0.0 { (foam.amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6) } else { 0.0 };
+        let amount = if sea.hs_m > 0.0 { foam.amount } else { 0.0 };
+        let share = (amount * sea_state::whitecap_fraction(sea.speed_mps)).min(0.6);
         let deviation = sea.hs_m / 4.0;
         let from = foam::ramp_start(share);
         Self {
             share,
+            film: foam::film(amount * sea_state::breaking_fraction(sea.speed_mps)),
             breaking_m: breaking_m(sea),
             folds: [Fold::NEVER; LEVELS],
             heights_m: [from * deviation, (from + 1.0) * deviation],

@@ -89,7 +89,7 @@ pub const VIEWS: [View; 15] = [
         id: "hurricane",
         widget: "viewHurricane",
         title: "hurricane",
-        fragment: "view=35.6812,-14.25,3,262,82&ride=1&bft=12&clouds=0.9&time=2026-11-20T12:00:00Z",
+        fragment: "view=40,-50,9,60,78&bft=12&clouds=0.8&time=2026-02-21T15:00:00Z",
     },
     View {
         id: "sunset",
