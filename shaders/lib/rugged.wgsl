@@ -48,7 +48,11 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let shore = weighed(neighbours(true, point, shore_page));
     let coarse_page = pages_at(point, min(RUGGED_ISLAND_LEVEL, deepest)).terrain;
     let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
-    return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, smoothstep(0.5, 0.95, -100.0 * coarse),
+    let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
+    let wide = bilinear(false, point, pages_at(point, RUGGED_SHELF_LEVEL).terrain).x;
+    let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * smoothstep(RUGGED_GLACIATED.x, RUGGED_GLACIATED.y, abs(sin_lat))
+        * smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -wide);
+    return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, max(deep, rocky),
         -shore.mean * shore_texel, east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
         east_north_of(point, shore.rise * vec2f(-1.0, 1.0)));
 }

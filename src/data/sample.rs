@@ -245,8 +245,10 @@ impl Map<'_, '_> {
         let data = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t);
         let Some((metres, t)) = self.neighbours(Layer::Water, shore_z)? else { return Ok(0.0) };
         let inland = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m)), t);
-        let mean_m = self.bilinear(Layer::Terrain, coarsest, self.at)?.unwrap_or_default()[0];
-        let (lift_m, rise) = rugged::lift(rugged::oceanic(mean_m, coarse_m), inland.mean_m, elevation_m);
+        let mut mean_m = |z| Ok(self.bilinear(Layer::Terrain, z, self.at)?.unwrap_or_default()[0]);
+        let (mean_m, wide_m) = (mean_m(coarsest)?, mean_m(rugged::SHELF_LEVEL)?);
+        let oceanic = rugged::oceanic(mean_m, coarse_m).max(rugged::rocky(wide_m, data.mean_m, sin_lat));
+        let (lift_m, rise) = rugged::lift(oceanic, inland.mean_m, elevation_m);
         let lift_m = fade * lift_m;
         let strength_m = fade * rugged::strength_m(data, data_m, sin_lat, [elevation_m + lift_m, lift_m]);
         let (up, axes) = (earth::normal(lat, lon), earth::ecef_from_enu(lat, lon));

@@ -40,7 +40,17 @@ pub const HIGHEST_M: f64 = 9_000.0;
 pub const ISLAND_LEVEL: u8 = 1;
 /// Level of the water tiles whose distances tell how far inland a place is, smoothly.
 pub const SHORE_LEVEL: u8 = 5;
-/// How steep such islands are at least.
+/// Sines of the latitudes between which islands on shelves begin to count as such: from 52 degrees on ice has left rock and deep water beside it.
+pub const GLACIATED: [f64; 2] = [0.743, 0.788];
+/// Mean depths of level [`SHELF_LEVEL`] about them between which they do, metres: in shallower seas low land is sand and marsh.
+pub const SHELF_M: [f64; 2] = [65.0, 95.0];
+/// Mean heights of the data between which these know the land, metres.
+pub const KNOWN_M: [f64; 2] = [5.0, 25.0];
+/// How far they count as islands in a deep sea, which are steeper.
+pub const SHELF: f64 = 0.8;
+/// Level of the terrain tiles that tells how deep the shelf about them is.
+pub const SHELF_LEVEL: u8 = 0;
+/// How steep islands in a deep sea are at least.
 pub const ISLAND_RISE: f64 = 0.17;
 /// They are flat far beyond this from their shores, metres.
 pub const ISLAND_WIDE_M: f64 = 9_000.0;
@@ -131,9 +141,19 @@ pub fn oceanic(mean_m: f64, texel_m: f64) -> f64 {
     smoothstep(0.5, 0.95, -100.0 * mean_m / texel_m)
 }
 
+/// How far a place counts as one of these that is one of rocky islands on shelves that ice has covered (Faroes, Shetland, Lofoten): `wide_m` is the mean
+/// elevation about it of level [`SHELF_LEVEL`], `mean_m` that of [`Around::of`].
+pub fn rocky(wide_m: f64, mean_m: f64, sin_lat: f64) -> f64 {
+    let unknown = 1.0 - smoothstep(KNOWN_M[0], KNOWN_M[1], mean_m);
+    SHELF
+        * unknown
+        * smoothstep(GLACIATED[0], GLACIATED[1], sin_lat.abs())
+        * smoothstep(SHELF_M[0], SHELF_M[1], -wide_m)
+}
+
 /// How far ground at `elevation_m` is raised on such an island, metres, `inland_m` from the shore, and how that rises by metres inland. The
 /// data have lowered or lost islands narrower than a few of their cells; those out of deep sea, and wider than an atoll's are, are volcanoes,
-/// which rise by a sixth of the way inland.
+/// which rise by a sixth of the way inland; rocks on shelves nearly as steeply.
 pub fn lift(oceanic: f64, inland_m: f64, elevation_m: f64) -> (f64, f64) {
     let x = inland_m.max(0.0);
     let flattening = 1.0 + (x / ISLAND_WIDE_M).powi(2);

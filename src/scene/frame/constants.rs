@@ -82,6 +82,7 @@ fn relief_numbers() -> String {
         ("RUGGED_LEVEL", rugged::LEVEL.into()),
         ("RUGGED_SHORE_LEVEL", rugged::SHORE_LEVEL.into()),
         ("RUGGED_ISLAND_LEVEL", rugged::ISLAND_LEVEL.into()),
+        ("RUGGED_SHELF_LEVEL", rugged::SHELF_LEVEL.into()),
     ];
     let numbers = [
         ("RELIEF_UNITS", relief::UNITS_PER_M * relief::RADIUS_M),
@@ -102,6 +103,7 @@ fn relief_numbers() -> String {
         ("RELIEF_FOLLOWS", relief::FOLLOWS),
         ("RUGGED_GAIN", rugged::GAIN_M),
         ("RUGGED_LIFT_GAIN", rugged::LIFT_GAIN),
+        ("RUGGED_SHELF", rugged::SHELF),
         ("RUGGED_ISLAND_RISE", rugged::ISLAND_RISE),
         ("RUGGED_ISLAND_WIDE", rugged::ISLAND_WIDE_M),
         ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
@@ -116,9 +118,15 @@ fn relief_numbers() -> String {
         ("RUGGED_SEAM_FADE", rugged::SEAM_FADE),
         ("RUGGED_HIGHEST", rugged::HIGHEST_M),
     ];
+    let ranges = [
+        ("RUGGED_GLACIATED", rugged::GLACIATED),
+        ("RUGGED_SHELF_DEPTHS", rugged::SHELF_M),
+        ("RUGGED_KNOWN", rugged::KNOWN_M),
+    ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
-    whole.concat() + &numbers.concat()
+    let ranges = ranges.map(|(name, [from, to])| format!("const {name} = vec2f({from:?}, {to:?});\n"));
+    whole.concat() + &numbers.concat() + &ranges.concat()
 }
 
 /// Those of the clouds' field, which the map of their weather needs alone.

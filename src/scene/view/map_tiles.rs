@@ -9,6 +9,7 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::relief::WIDEST_M;
+use crate::model::rugged;
 use crate::model::sea_bed::{BERM_M, Coast, Grid, LEAST_M, USUAL_SLOPE, grid_level, trusted_m};
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
@@ -35,12 +36,13 @@ const RUGGED_M: f64 = 60.0;
 const STEEP_M: f64 = 800.0;
 /// Nothing is drawn more finely than at this distance, metres: ground that is a little higher than its tile's middle.
 const NEAREST_M: f64 = 1.0;
-/// The tile of this level around an island that may be raised, 156 km wide at the equator, has deep water.
+/// The tile of this level around an island that may be raised, 156 km wide at the equator, has deep water, or is a shelf's.
 const AROUND: u8 = 8;
 /// No wave runs farther up a beach, m; as `SWASH_WIDEST` of `shaders/lib/swash.wgsl`.
 const BEACH_M: f64 = 60.0;
-/// So deep, metres.
+/// So deep, metres: out of a deep sea, and on a shelf, where the mean of a wider stretch is still lower.
 const ISLAND_BED_M: f64 = -500.0;
+const SHELF_BED_M: f64 = -40.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -155,13 +157,21 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
     })
 }
 
+/// Sine of the greatest latitude, north or south, along the middle of a tile.
+fn most_sin_lat(id: TileId) -> f64 {
+    let side = 2f64.powi(-i32::from(id.z));
+    let at = |y| lat_lon_from_map(id.projection, (f64::from(id.x) + 0.5) * side, (f64::from(id.y) + y) * side);
+    [0.0, 1.0].map(|y| at(y).0.sin().abs()).into_iter().fold(0.0, f64::max)
+}
+
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
-/// there is no relief but what the data hold (`model::rugged`). Beside deep water there may be any.
+/// there is no relief but what the data hold (`model::rugged`). Beside deep water, and on shelves that ice has covered, there may be any.
 fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
-    let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < ISLAND_BED_M);
+    let sea_m = if most_sin_lat(id) > rugged::GLACIATED[0] { SHELF_BED_M } else { ISLAND_BED_M };
+    let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < sea_m);
     let range_m = metres.greatest - metres.least.max(0.0);
     (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
 }
