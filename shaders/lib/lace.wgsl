@@ -34,7 +34,7 @@ const ROWS = vec2f(0.45, 0.5);
 const NETS = vec3f(0.42, 0.2, 0.38);
 // Storms draw foam out along the wind: parts of the middle net and of the bubbles that streaks have then, and shares of the water that break at which it
 // begins and ends.
-const STREAKED = vec2f(0.8, 0.64);
+const STREAKED = vec2f(0.8, 0.45);
 const STREAKED_IN = vec2f(0.05, 0.2);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
@@ -118,9 +118,9 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     let streaked = STREAKED * smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps);
     if streaked.x > 0.0 {
-        // Of 170 by 21 m and 28 by 3.5 m.
+        // Of 170 by 21 m and 14 by 3.5 m.
         middle = both(middle, net(finer * vec2i(3, 0), vec2i(2048, 256), bent, footprint), streaked.x);
-        bubbles = both(bubbles, net(finer * vec2i(9, -1), vec2i(1024, 128), bent, footprint), streaked.y);
+        bubbles = both(bubbles, net(finer * vec2i(9, -1), vec2i(512, 128), bent, footprint), streaked.y);
     }
     let levels = vec4f(middle.level, small.level, coarse.level, rows.level);
     let kept = vec4f(middle.kept, small.kept, coarse.kept, rows.kept);
