@@ -81,7 +81,7 @@ struct Lace {
 }
 
 // Share of the film that has bubbles.
-fn film_rafts() -> f32 { return clamp(frame.film.y / FILM_RAFT, 0.2, 0.7); }
+fn film_rafts() -> f32 { return max(frame.film.y / FILM_RAFT, 0.2); }
 
 // What a pixel shows of rafts that cover a share, over their mean.
 fn rafts(bubbles: Net, share: f32) -> f32 {
@@ -118,8 +118,8 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     let streaked = STREAKED * smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps);
     if streaked.x > 0.0 {
-        // Of 170 by 21 m and 14 by 3.5 m.
-        middle = both(middle, net(finer * vec2i(3, 0), vec2i(2048, 256), bent, footprint), streaked.x);
+        // Of 136 by 17 m and 14 by 3.5 m.
+        middle = both(middle, net(finer * vec2i(15, 1), vec2i(8192, 1024), bent, footprint), streaked.x);
         bubbles = both(bubbles, net(finer * vec2i(9, -1), vec2i(512, 128), bent, footprint), streaked.y);
     }
     let levels = vec4f(middle.level, small.level, coarse.level, rows.level);

@@ -26,8 +26,9 @@ fn weighed(n: Neighbours) -> Weighed {
 }
 
 // What the data tell of a place, smooth over kilometres: vertices look it up, pixels interpolate it. `raw`: strength for the data's slope;
-// `inland`: how far the ocean's shore is, smoothly; `way`: slope of the data, east and north; `out`: the same of `inland`.
-struct Country { raw: Metres, mean: Metres, oceanic: f32, inland: Metres, way: vec2f, out: vec2f }
+// `island`: how far the place is one of an island's that the data have lost; `inland`: how far the ocean's shore is, smoothly, as it counts there; `way`: slope of the
+// data, east and north; `out`: the same of `inland`.
+struct Country { raw: Metres, mean: Metres, island: f32, inland: Metres, way: vec2f, out: vec2f }
 
 fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
@@ -50,11 +51,16 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
     let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
     let wide = bilinear(false, point, pages_at(point, RUGGED_SHELF_LEVEL).terrain).x;
-    let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * smoothstep(RUGGED_GLACIATED.x, RUGGED_GLACIATED.y, abs(sin_lat))
+    let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * smoothstep(RUGGED_HIGH_LATITUDES.x, RUGGED_HIGH_LATITUDES.y, abs(sin_lat))
         * smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -wide);
+    // On these the way inland counts for short stretches alone.
+    let x = -shore.mean * shore_texel;
+    let flattening = 1.0 + x * x / (RUGGED_ROCKY_WIDE * RUGGED_ROCKY_WIDE);
+    let root = sqrt(flattening);
+    let share = rocky / max(rocky + deep, 1e-3);
     return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, max(deep, rocky),
-        -shore.mean * shore_texel, east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
-        east_north_of(point, shore.rise * vec2f(-1.0, 1.0)));
+        mix(x, x / root, share), east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
+        mix(1.0, 1.0 / (flattening * root), share) * east_north_of(point, shore.rise * vec2f(-1.0, 1.0)));
 }
 
 // Strength of the relief of ground at an elevation, `lift` of it raised.
@@ -71,14 +77,14 @@ fn made_share(sin_lat: f32, ground: Ground) -> f32 {
         * smoothstep(0.0, RUGGED_SEAM_FADE, abs(abs(sin_lat) - POLAR_SIN_LAT));
 }
 
-// How far the ground of an island in a deep sea is raised, and how that rises by metres inland.
-fn island_lift(oceanic: f32, inland: Metres, elevation: Metres) -> vec2f {
+// How far the ground of such an island is raised, and how that rises by metres inland.
+fn island_lift(island: f32, inland: Metres, elevation: Metres) -> vec2f {
     let x = max(inland, 0.0);
     let flattening = 1.0 + x * x / (RUGGED_ISLAND_WIDE * RUGGED_ISLAND_WIDE);
     let root = sqrt(flattening);
-    let lack = max(oceanic * RUGGED_ISLAND_RISE * x / root - max(elevation, 0.0), 0.0);
+    let lack = max(island * RUGGED_ISLAND_RISE * x / root - max(elevation, 0.0), 0.0);
     let raised = lack / (lack + RUGGED_ISLAND_SOFT);
-    return vec2f(raised * lack, raised * (2.0 - raised) * oceanic * RUGGED_ISLAND_RISE / (flattening * root));
+    return vec2f(raised * lack, raised * (2.0 - raised) * island * RUGGED_ISLAND_RISE / (flattening * root));
 }
 
 fn earth_from_local(d: vec3f) -> vec3f {
@@ -102,7 +108,7 @@ fn made_relief(country: Country, dn: vec3f, sin_lat: f32, ground: Ground, footpr
     let share = made_share(sin_lat, ground);
     // Pixels so wide show no islands' heights; nor need the texels that tell of them be at hand there.
     let seen = 1.0 - smoothstep(LIFT_SEEN.x, LIFT_SEEN.y, footprint);
-    let lift = seen * share * island_lift(country.oceanic, country.inland, ground.elevation);
+    let lift = seen * share * island_lift(country.island, country.inland, ground.elevation);
     let elevation = ground.elevation + lift.x;
     let strong = share * strength_of(country, elevation, lift.x);
     let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));

@@ -245,15 +245,16 @@ impl Map<'_, '_> {
         let data = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t);
         let Some((metres, t)) = self.neighbours(Layer::Water, shore_z)? else { return Ok(0.0) };
         let inland = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m)), t);
-        let mut mean_m = |z| Ok(self.bilinear(Layer::Terrain, z, self.at)?.unwrap_or_default()[0]);
-        let (mean_m, wide_m) = (mean_m(coarsest)?, mean_m(rugged::SHELF_LEVEL)?);
-        let oceanic = rugged::oceanic(mean_m, coarse_m).max(rugged::rocky(wide_m, data.mean_m, sin_lat));
-        let (lift_m, rise) = rugged::lift(oceanic, inland.mean_m, elevation_m);
+        let mut mean_of = |z| Ok(self.bilinear(Layer::Terrain, z, self.at)?.unwrap_or_default()[0]);
+        let oceanic = rugged::oceanic(mean_of(coarsest)?, coarse_m);
+        let rocky = rugged::rocky(mean_of(rugged::SHELF_LEVEL)?, data.mean_m, sin_lat);
+        let (inland_m, inland_rise) = rugged::counted_inland(inland.mean_m, oceanic, rocky);
+        let (lift_m, rise) = rugged::lift(oceanic.max(rocky), inland_m, elevation_m);
         let lift_m = fade * lift_m;
         let strength_m = fade * rugged::strength_m(data, data_m, sin_lat, [elevation_m + lift_m, lift_m]);
         let (up, axes) = (earth::normal(lat, lon), earth::ecef_from_enu(lat, lon));
         let way = |rise_m: [f64; 2], texel_m: f64| self.projection.east_north(rise_m, lon) / texel_m;
-        let slope = way(data.rise_m, data_m) + fade * rise * way(inland.rise_m, shore_m);
+        let slope = way(data.rise_m, data_m) + fade * rise * inland_rise * way(inland.rise_m, shore_m);
         let found = relief(relief::place(up), up, axes * slope.extend(0.0), strength_m, MESH_FOOTPRINT_M);
         Ok(lift_m + rugged::bounded(elevation_m + lift_m, found.height_m).0)
     }

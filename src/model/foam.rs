@@ -13,6 +13,8 @@
 //! threshold of its own, so that all levels hold the same mean. Rejected: one threshold for all levels (a coarse level would hold no foam), and a
 //! quantile of μ alone (the lifetime multiplies it by three in a gale and by ten in a breeze).
 
+use super::sea_bed::smoothstep;
+
 mod thresholds;
 
 pub use thresholds::{INSTANTS, POINTS, SHORTEST_PATCH_TEXELS, Simulation, kept};
@@ -26,20 +28,18 @@ pub const YOUNG_S: f64 = 1.0;
 pub const GROWTH_S: f64 = 0.25;
 
 /// The film of bubbles that outlives whitecaps, by [`breaking_fraction`](super::sea_state::breaking_fraction): its share of the water, where it drifts
-/// together into rows, and its opacity there. Neither has been measured: ours follow the Beaufort scale, with the first film at grade 6, marked rows at 8, a
-/// surface that is white as a whole at 10 and completely white at 12.
+/// together into rows, and its opacity there. Neither has been measured: ours follow the Beaufort scale, with the first film at grade 6, marked rows at 8, and
+/// half as opaque as dense foam from 10 on, where it covers 0.56 of the water, and 0.81 at 12.
 pub fn film(breaking: f64) -> [f64; 2] {
-    let ramp = |from: f64, to: f64| {
-        let x = ((breaking - from) / (to - from)).clamp(0.0, 1.0);
-        x * x * (3.0 - 2.0 * x)
-    };
+    let ramp = |from, to| smoothstep(from, to, breaking);
     let opacity = (0.13 + 0.4 * breaking + 0.3 * ramp(0.12, 0.3)) * ramp(0.012, 0.08);
     [1.0 - libm::exp(-3.0 * breaking.min(MOST_BREAKING)), opacity.min(MOST_FILM)]
 }
 
-/// The film covers no more than where so much breaks: where it lay all over, all seas would look alike.
+/// The film covers no more than where so much breaks: hurricanes have gaps in it, too.
 const MOST_BREAKING: f64 = 0.55;
-/// Opacity of the film, at most: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies twice as dense.
+/// Opacity of the film, at most, lest it and foam be more than all: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies
+/// twice as dense, and thin foam leaves it 0.6 (`THIN_FOAM`).
 const MOST_FILM: f64 = 0.5;
 
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact

@@ -1,7 +1,7 @@
 //! How much relief a place has that its elevation data do not hold ([`super::relief`]), as those data themselves tell: the more they vary
 //! around it.
 //!
-//! Plains, shores, lakes, land below the sea and ice sheets have none. `shaders/lib/rugged.wgsl` is the same in single precision.
+//! Plains, shores, lakes, land below the sea and ice sheets have none, but for islands that the data have lost: these are raised. `shaders/lib/rugged.wgsl` is the same in single precision.
 
 use super::sea_bed::smoothstep;
 
@@ -40,16 +40,19 @@ pub const HIGHEST_M: f64 = 9_000.0;
 pub const ISLAND_LEVEL: u8 = 1;
 /// Level of the water tiles whose distances tell how far inland a place is, smoothly.
 pub const SHORE_LEVEL: u8 = 5;
-/// Sines of the latitudes between which islands on shelves begin to count as such: from 52 degrees on ice has left rock and deep water beside it.
-pub const GLACIATED: [f64; 2] = [0.743, 0.788];
-/// Mean depths of level [`SHELF_LEVEL`] about them between which they do, metres: in shallower seas low land is sand and marsh.
+/// Sines of 48 and 52 degrees, between which islands on shelves begin to be raised: from there on ice has left rock on most of these, and deep
+/// water beside it.
+pub const HIGH_LATITUDES: [f64; 2] = [0.743, 0.788];
+/// Level of the terrain tiles whose mean, of land and sea together, tells how deep such a shelf is.
+pub const SHELF_LEVEL: u8 = 0;
+/// How far below the sea that mean is where they begin to be raised, and are, metres: in shallower seas low land is sand and marsh.
 pub const SHELF_M: [f64; 2] = [65.0, 95.0];
 /// Mean heights of the data between which these know the land, metres.
-pub const KNOWN_M: [f64; 2] = [5.0, 25.0];
-/// How far they count as islands in a deep sea, which are steeper.
+pub const KNOWN_M: [f64; 2] = [10.0, 200.0];
+/// How steep they are, of islands in a deep sea.
 pub const SHELF: f64 = 0.8;
-/// Level of the terrain tiles that tells how deep the shelf about them is.
-pub const SHELF_LEVEL: u8 = 0;
+/// They are flat far beyond this from their shores, metres: the data know wider ones.
+pub const ROCKY_WIDE_M: f64 = 2_500.0;
 /// How steep islands in a deep sea are at least.
 pub const ISLAND_RISE: f64 = 0.17;
 /// They are flat far beyond this from their shores, metres.
@@ -141,26 +144,32 @@ pub fn oceanic(mean_m: f64, texel_m: f64) -> f64 {
     smoothstep(0.5, 0.95, -100.0 * mean_m / texel_m)
 }
 
-/// How far a place counts as one of these that is one of rocky islands on shelves that ice has covered (Faroes, Shetland, Lofoten): `wide_m` is the mean
-/// elevation about it of level [`SHELF_LEVEL`], `mean_m` that of [`Around::of`].
+/// How far a place is one of rocky islands on a shelf of high latitudes (Faroes, Shetland), 0 to [`SHELF`]: `wide_m` is the mean elevation about it of
+/// level [`SHELF_LEVEL`], `mean_m` that of [`Around::of`].
 pub fn rocky(wide_m: f64, mean_m: f64, sin_lat: f64) -> f64 {
     let unknown = 1.0 - smoothstep(KNOWN_M[0], KNOWN_M[1], mean_m);
-    SHELF
-        * unknown
-        * smoothstep(GLACIATED[0], GLACIATED[1], sin_lat.abs())
-        * smoothstep(SHELF_M[0], SHELF_M[1], -wide_m)
+    let high = smoothstep(HIGH_LATITUDES[0], HIGH_LATITUDES[1], sin_lat.abs());
+    SHELF * unknown * high * smoothstep(SHELF_M[0], SHELF_M[1], -wide_m)
 }
 
-/// How far ground at `elevation_m` is raised on such an island, metres, `inland_m` from the shore, and how that rises by metres inland. The
+/// The way inland that counts for [`lift`], metres, where a place is so far `oceanic` and so far `rocky`, and how that grows by metres inland.
+pub fn counted_inland(inland_m: f64, oceanic: f64, rocky: f64) -> (f64, f64) {
+    let flattening = 1.0 + (inland_m / ROCKY_WIDE_M).powi(2);
+    let root = flattening.sqrt();
+    let share = rocky / (rocky + oceanic).max(1e-3);
+    (inland_m + share * (inland_m / root - inland_m), 1.0 + share * (1.0 / (flattening * root) - 1.0))
+}
+
+/// How far ground at `elevation_m` is raised that is so far (`island`) one of an island's, metres, `inland_m` from the shore, and how that rises by metres inland. The
 /// data have lowered or lost islands narrower than a few of their cells; those out of deep sea, and wider than an atoll's are, are volcanoes,
-/// which rise by a sixth of the way inland; rocks on shelves nearly as steeply.
-pub fn lift(oceanic: f64, inland_m: f64, elevation_m: f64) -> (f64, f64) {
+/// which rise by a sixth of the way inland; rocks on shelves by a seventh, where that is short ([`counted_inland`]).
+pub fn lift(island: f64, inland_m: f64, elevation_m: f64) -> (f64, f64) {
     let x = inland_m.max(0.0);
     let flattening = 1.0 + (x / ISLAND_WIDE_M).powi(2);
     let root = flattening.sqrt();
-    let lack = (oceanic * ISLAND_RISE * x / root - elevation_m.max(0.0)).max(0.0);
+    let lack = (island * ISLAND_RISE * x / root - elevation_m.max(0.0)).max(0.0);
     let raised = lack / (lack + ISLAND_SOFT_M);
-    (raised * lack, raised * (2.0 - raised) * oceanic * ISLAND_RISE / (flattening * root))
+    (raised * lack, raised * (2.0 - raised) * island * ISLAND_RISE / (flattening * root))
 }
 
 /// What relief of `height_m` comes to on ground at `elevation_m` over the sea, metres, and the share of its slope: valleys do not reach down

@@ -140,7 +140,8 @@ fn the_surface_of_the_sea_is_told_where_there_is_sea() {
     assert_ne!(gale["height_m"], surface("35.68,-14.25", "#bft=8", Some("2026-11-20T12:01:00Z"))["height_m"]);
     // And the same as the page's function finds, which takes the water for deep.
     let mut seas = Seas::default();
-    let linked = Question::of_link("#bft=8", (35.68, -14.25), noon, 0.0).unwrap().open_sea(&mut seas);
+    let asked = Question::of_script("#bft=8", -14.25, 35.68, "2026-11-20T12:00:00Z", 0.0);
+    let linked = asked.unwrap().open_sea(&mut seas);
     assert_eq!(gale["height_m"], linked.height_m);
     let up = gale["normal_enu"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap().powi(2)).sum::<f64>();
     assert!((up - 1.0).abs() < 1e-12 && linked.height_m.abs() < 5.5);

@@ -104,6 +104,7 @@ fn relief_numbers() -> String {
         ("RUGGED_GAIN", rugged::GAIN_M),
         ("RUGGED_LIFT_GAIN", rugged::LIFT_GAIN),
         ("RUGGED_SHELF", rugged::SHELF),
+        ("RUGGED_ROCKY_WIDE", rugged::ROCKY_WIDE_M),
         ("RUGGED_ISLAND_RISE", rugged::ISLAND_RISE),
         ("RUGGED_ISLAND_WIDE", rugged::ISLAND_WIDE_M),
         ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
@@ -119,7 +120,7 @@ fn relief_numbers() -> String {
         ("RUGGED_HIGHEST", rugged::HIGHEST_M),
     ];
     let ranges = [
-        ("RUGGED_GLACIATED", rugged::GLACIATED),
+        ("RUGGED_HIGH_LATITUDES", rugged::HIGH_LATITUDES),
         ("RUGGED_SHELF_DEPTHS", rugged::SHELF_M),
         ("RUGGED_KNOWN", rugged::KNOWN_M),
     ];

@@ -40,7 +40,8 @@ const NEAREST_M: f64 = 1.0;
 const AROUND: u8 = 8;
 /// No wave runs farther up a beach, m; as `SWASH_WIDEST` of `shaders/lib/swash.wgsl`.
 const BEACH_M: f64 = 60.0;
-/// So deep, metres: out of a deep sea, and on a shelf, where the mean of a wider stretch is still lower.
+/// So deep, metres: out of a deep sea, and on a shelf, which is deeper than `rugged::SHELF_M` in the mean of still wider tiles; no raised land of the bundled world
+/// is missed.
 const ISLAND_BED_M: f64 = -500.0;
 const SHELF_BED_M: f64 = -40.0;
 /// Relief stands no higher over the data, metres.
@@ -157,20 +158,21 @@ fn heights(id: TileId, tiles: &Streaming) -> [f64; 2] {
     })
 }
 
-/// Sine of the greatest latitude, north or south, along the middle of a tile.
-fn most_sin_lat(id: TileId) -> f64 {
+/// Whether a tile reaches the latitudes where islands on shelves are raised.
+fn reaches_high_latitudes(id: TileId) -> bool {
     let side = 2f64.powi(-i32::from(id.z));
-    let at = |y| lat_lon_from_map(id.projection, (f64::from(id.x) + 0.5) * side, (f64::from(id.y) + y) * side);
-    [0.0, 1.0].map(|y| at(y).0.sin().abs()).into_iter().fold(0.0, f64::max)
+    let sin_lat = |y: u32| lat_lon_from_map(id.projection, 0.5, f64::from(id.y + y) * side).0.sin().abs();
+    id.projection != Projection::Mercator || sin_lat(0).max(sin_lat(1)) > rugged::HIGH_LATITUDES[0]
 }
 
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
-/// there is no relief but what the data hold (`model::rugged`). Beside deep water, and on shelves that ice has covered, there may be any.
+/// there is no relief but what the data hold (`model::rugged`). Beside deep water, and low on the shelves of high latitudes, there may be any.
 fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
-    let sea_m = if most_sin_lat(id) > rugged::GLACIATED[0] { SHELF_BED_M } else { ISLAND_BED_M };
+    let may_be_rocky = metres.least < rugged::KNOWN_M[1] && reaches_high_latitudes(id);
+    let sea_m = if may_be_rocky { SHELF_BED_M } else { ISLAND_BED_M };
     let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < sea_m);
     let range_m = metres.greatest - metres.least.max(0.0);
     (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
