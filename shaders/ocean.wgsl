@@ -23,6 +23,7 @@ const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
+const LACE_LONG = 0.7;
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
@@ -167,7 +168,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var facets = MEAN_FACETS;
     if FOAM {
         var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
-        var seen = lace_at(foam_at, faced * footprint, 1, FINE);
+        var seen = lace_at(foam_at, LACE_LONG * max(2.0 * faced * footprint, max(right, down)), 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
             if SURF {

@@ -17,13 +17,13 @@ use crate::pass::cloud_map::CloudMap;
 use crate::pass::clouds::{Clouds, Look as CloudLook};
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
-use crate::pass::kind::Kind;
 use crate::pass::land::{GROWTH_M, Land, Near};
 use crate::pass::ocean::{Look, Ocean};
 use crate::pass::rough_table;
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
+use crate::pass::spindrift::{self, Spindrift};
 use crate::pass::stars::Stars;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
@@ -75,6 +75,7 @@ pub struct Renderer {
     stars: Option<Stars>,
     city_lights: Option<CityLights>,
     clouds: Option<Clouds>,
+    spindrift: Option<Spindrift>,
     globe: Globe,
     below: Below,
     land: Land,
@@ -131,6 +132,7 @@ impl Renderer {
             stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
+            spindrift: blends.then(|| Spindrift::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             globe: Globe::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
             below: Below::new(&gpu, frame, layout, radiance),
             land: Land::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
@@ -202,12 +204,17 @@ impl Renderer {
         self.surface.replay(&self.gpu, frame, frame_group, REPLAY_STEPS[still]);
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
+        let look = Look::of(frame, kind, side.shows_surf);
+        let shows_spindrift = self.visible.is_some() && frame.shows_spindrift && frame.has_light() && !kind.under_water;
         if let Some(tiles) = &self.visible {
             self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
             let samples = self.targets.as_ref().map_or(1, Targets::samples);
             for kind in [Some(kind), side.below()].into_iter().flatten() {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
+            }
+            if let Some(spindrift) = self.spindrift.as_mut().filter(|_| shows_spindrift) {
+                spindrift.prepare(&self.gpu, look, samples);
             }
             // Coarse tiles are far ones.
             let shows_beaches = side.shows_surf && kind.shows_lakes();
@@ -238,7 +245,8 @@ impl Renderer {
             + self.sky_table.dispatches()
             + self.sky_view.dispatches()
             + self.surface.dispatches()
-            + self.mesh.dispatches();
+            + self.mesh.dispatches()
+            + if shows_spindrift { spindrift::DISPATCHES } else { 0 };
         let from_below = self.below.prepare(&self.gpu, &side, frame.size);
         let Some(targets) = &self.targets else { return };
         let is_seen = frame.has_light() && !kind.under_water;
@@ -260,6 +268,12 @@ impl Renderer {
         }
         self.cloud_light.hand_over(encoder);
         let surface = self.surface.group();
+        let spindrift = self.spindrift.as_ref().filter(|_| shows_spindrift);
+        if let Some(spindrift) = spindrift {
+            // In the light under the clouds, which has just been handed over.
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            spindrift.dispatch(&mut pass, look, [frame_group, surface]);
+        }
         let cloud_look = CloudLook::of(self.visible.is_none(), frame.is_fine());
         if let Some((pass, clouds)) = self.clouds.as_mut().zip(frame.clouds).filter(|_| is_seen) {
             pass.sketch(&self.gpu, encoder, (cloud_look, frame.size, clouds.area), [frame_group, surface]);
@@ -300,14 +314,18 @@ impl Renderer {
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            self.draw_sea(&mut pass, frame, (kind, side.shows_surf), targets.samples());
+            self.draw_sea(&mut pass, frame, look, targets.samples());
             self.passes.draw_backdrop(&mut pass, targets);
+            if let Some(spindrift) = spindrift {
+                spindrift.draw(&mut pass, targets.samples(), [frame_group, surface]);
+            }
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
             pass.draw(&mut resume(encoder, "clouds", &radiance), clouds.area, [frame_group, surface]);
         }
         if let Some(kind) = side.below() {
-            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, (kind, false), targets.samples());
+            let look = Look::of(frame, kind, false);
+            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, look, targets.samples());
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
             self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
@@ -315,13 +333,12 @@ impl Renderer {
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
     }
 
-    /// Draws the sea's surface for a kind of picture, where the frame shows it.
-    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, (kind, shows_surf): (Kind, bool), samples: u32) {
+    /// Draws the sea's surface of a look, where the frame shows it.
+    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, look: Look, samples: u32) {
         if frame.uniform.layers & SHOWS_SEA == 0 {
             return;
         }
         let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
-        let look = Look::of(frame, kind, shows_surf);
         self.ocean.draw(pass, (frame, look, samples), frame_group, surface, self.mesh.drawn());
     }
 
@@ -349,6 +366,9 @@ impl Renderer {
         self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth]);
         if let Some(clouds) = &mut self.clouds {
             clouds.set_scene(&targets.scene_depth);
+        }
+        if let Some(spindrift) = &mut self.spindrift {
+            spindrift.set_scene(&self.gpu, &targets.scene_depth);
         }
         self.targets = Some(targets);
     }
@@ -398,6 +418,11 @@ impl Renderer {
     /// The map of caustics of the last frame whose eye was in the water, see `shaders/lib/caustic_map.wgsl`.
     pub fn caustics(&self) -> &wgpu::Texture {
         &self.below.caustics.map
+    }
+
+    /// The plumes of the last frame that showed spindrift, see [`spindrift::Plume`]; `None` where nothing blends.
+    pub fn plumes(&self) -> Option<&wgpu::Buffer> {
+        self.spindrift.as_ref().map(Spindrift::plumes)
     }
 
     /// The scene's radiance, or the measured layer, of the last frame.

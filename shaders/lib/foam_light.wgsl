@@ -8,6 +8,8 @@ const PLUME_REFLECTANCE = vec3f(0.003, 0.05, 0.09);
 const THIN_FOAM_COLOUR = vec3f(0.88, 1.028, 1.08);  // a single layer of bubbles stands in the water, which takes red; its luminance is 1
 const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its shaded side; share of the sun's that does
 
+const STEEPEST_FOAM: f32 = 0.9;  // slope that foam lies at: it fills what waves fold
+
 struct Foam {
     white: f32,            // opacity, 0…1: the reflectance over that of dense foam
     open: f32,             // light that reaches it, of what foam without creases gets
@@ -22,8 +24,9 @@ fn flat_foam(white: f32, plume: f32) -> Foam {
 }
 
 // Radiance of dense foam on water with a `normal`; `sun` and `ambient` are irradiances, of a plane that faces the sun and of a level one.
-fn foam_radiance(foam: Foam, normal: vec3f, to_sun: vec3f, sun: vec3f, ambient: vec3f) -> vec3f {
-    let own = normalize(normal - vec3f(foam.slope, 0.0));
+fn foam_radiance(foam: Foam, normal: vec3f, up: vec3f, to_sun: vec3f, sun: vec3f, ambient: vec3f) -> vec3f {
+    let slope = normal / max(dot(normal, up), 0.1) - up - vec3f(foam.slope, 0.0);
+    let own = normalize(up + slope * inverseSqrt(1.0 + dot(slope, slope) / (STEEPEST_FOAM * STEEPEST_FOAM)));
     let wrapped = max((dot(own, to_sun) + FOAM_WRAP) / (1.0 + FOAM_WRAP), 0.0);
     // What a slope faces of an even sky; its steepest edges, of which pixels show but few, count as 45 degrees.
     let open = 0.5 + 0.5 * inverseSqrt(1.0 + min(dot(foam.slope, foam.slope), 1.0));

@@ -30,11 +30,11 @@ const FILM_AROUND: f32 = 0.5;
 const FILM_EDGE: f32 = 0.08;
 const FILM_RAMP: f32 = 0.9;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
-const ROWS = vec2f(0.45, 0.5);
+const ROWS = vec2f(0.45, 0.72);
 const NETS = vec3f(0.42, 0.2, 0.38);
 // Storms draw foam out along the wind: parts of the middle net and of the bubbles that streaks have then, and shares of the water that break at which it
 // begins and ends.
-const STREAKED = vec2f(0.8, 0.45);
+const STREAKED = vec2f(0.7, 0.2);
 const STREAKED_IN = vec2f(0.05, 0.2);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
@@ -47,7 +47,7 @@ const MASSES_IN_ROWS: f32 = 0.05;
 // Thin foam and film are rafts of bubbles with water between, on a net of their own: rafts' share of thin foam, and what is white of a raft
 // in the film.
 const RAFTS: f32 = 0.5;
-const FILM_RAFT: f32 = 0.85;
+const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film.
 const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);

@@ -64,6 +64,8 @@ pub enum Bind {
 pub enum DepthTest {
     /// Those nearer than what is there; their depth is written.
     Nearest,
+    /// Those nearer than what is there, whose depth stays.
+    Before,
     /// Those of depth 0, where nothing has been drawn.
     Undrawn,
 }
@@ -255,7 +257,7 @@ impl Gpu {
                     format,
                     depth_write_enabled: Some(test == DepthTest::Nearest),
                     depth_compare: Some(match test {
-                        DepthTest::Nearest => wgpu::CompareFunction::Greater,
+                        DepthTest::Nearest | DepthTest::Before => wgpu::CompareFunction::Greater,
                         DepthTest::Undrawn => wgpu::CompareFunction::GreaterEqual,
                     }),
                     stencil: Default::default(),

@@ -29,7 +29,7 @@ pub const GROWTH_S: f64 = 0.25;
 
 /// The film of bubbles that outlives whitecaps, by [`breaking_fraction`](super::sea_state::breaking_fraction): its share of the water, where it drifts
 /// together into rows, and its opacity there. Neither has been measured: ours follow the Beaufort scale, with the first film at grade 6, marked rows at 8, and
-/// half as opaque as dense foam from 10 on, where it covers 0.56 of the water, and 0.81 at 12.
+/// nearly half as opaque as dense foam from 10 on, where it covers 0.56 of the water, and 0.81 at 12: crests that break now stand out of it.
 pub fn film(breaking: f64) -> [f64; 2] {
     let ramp = |from, to| smoothstep(from, to, breaking);
     let opacity = (0.13 + 0.4 * breaking + 0.3 * ramp(0.12, 0.3)) * ramp(0.012, 0.08);
@@ -40,7 +40,7 @@ pub fn film(breaking: f64) -> [f64; 2] {
 const MOST_BREAKING: f64 = 0.55;
 /// Opacity of the film, at most, lest it and foam be more than all: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies
 /// twice as dense, and thin foam leaves it 0.6 (`THIN_FOAM`).
-const MOST_FILM: f64 = 0.5;
+const MOST_FILM: f64 = 0.45;
 
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact
 /// for any step. A lifetime of 0 or less leaves Fₑ.

@@ -6,8 +6,8 @@
 
 use super::earth::WGS84;
 
-/// Extinction at a speed of [`HURRICANE_MPS`], per metre: a visibility of 800 m by Koschmieder's law.
-const HURRICANE_PER_M: f64 = 3.912 / 800.0;
+/// Extinction at a speed of `HURRICANE_MPS`, per metre: a visibility of 800 m by Koschmieder's law.
+pub const HURRICANE_PER_M: f64 = 3.912 / 800.0;
 /// Where the scale's grade 12 begins, m/s.
 const HURRICANE_MPS: f64 = 32.7;
 /// Extinction grows with this power of the wind: 6 km at 22.6 m/s, 16 km at 19 m/s.

@@ -25,6 +25,7 @@ pub mod shore_trains;
 pub mod sky;
 pub mod sky_table;
 pub mod sky_view;
+pub mod spindrift;
 pub mod stars;
 pub mod tonemap;
 pub mod waterline;

@@ -15,7 +15,7 @@ use ocean_globe::pass::land::Near;
 use ocean_globe::pass::ocean::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe,
-    land, ocean, perlin, sky, sky_table, sky_view, stars, tonemap, waterline,
+    land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -46,6 +46,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("perlin.wgsl", perlin::source()),
         ("sky_table.wgsl", sky_table::source()),
         ("sky_view.wgsl", sky_view::source()),
+        ("spindrift.wgsl", spindrift::source()),
         ("stars.wgsl", stars::source()),
         ("milky_way.wgsl", stars::milky_way_source()),
         ("tonemap.wgsl", tonemap::source(false)),
@@ -72,6 +73,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     }
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
+    all.extend(spindrift::looks().map(|look| ("plumes.wgsl", spindrift::plumes_source(look))));
     all.extend(transforms);
     all
 }
@@ -206,6 +208,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         fft::Evolution,
         [ticks, cascade_count, sharpened, patches, scales]
     );
+    assert_mirror!(spindrift::source(), "Plume", spindrift::Plume, [base, strength, light, seed, size, unused]);
     assert_mirror!(
         perlin::source(),
         "PerlinSettings",

@@ -24,6 +24,7 @@ mod sheets;
 mod shore;
 mod shore_settings;
 mod space;
+mod spindrift;
 mod swash;
 mod sweep;
 mod tone;

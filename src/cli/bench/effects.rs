@@ -26,6 +26,8 @@ enum Effect {
     Foam,
     /// White air over a stormy sea.
     Spray,
+    /// Plumes off its crests.
+    Spindrift,
     Clouds,
     Stars,
     CityLights,
@@ -36,10 +38,11 @@ enum Effect {
 }
 
 impl Effect {
-    const ALL: [(Self, &'static str); 8] = [
+    const ALL: [(Self, &'static str); 9] = [
         (Self::Sky, "sky"),
         (Self::Foam, "foam"),
         (Self::Spray, "spray"),
+        (Self::Spindrift, "spindrift"),
         (Self::Clouds, "clouds"),
         (Self::Stars, "stars"),
         (Self::CityLights, "lights"),
@@ -61,6 +64,7 @@ impl Effect {
                 state.settings.layers.shows(layer) && without.is_globe() == frame.is_globe()
             }
             Self::Spray => std::mem::take(&mut without.uniform.spray.x) > 0.0,
+            Self::Spindrift => std::mem::take(&mut without.shows_spindrift),
             Self::Clouds => without.clouds.take().is_some(),
             Self::Stars => std::mem::take(&mut without.shows_stars),
             Self::CityLights => std::mem::take(&mut without.shows_city_lights),

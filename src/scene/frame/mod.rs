@@ -61,6 +61,8 @@ pub struct Frame {
     pub shows_stars: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
     pub shows_city_lights: bool,
+    /// Whether spindrift shows: there is spray, and the foam map knows which crests break.
+    pub shows_spindrift: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
     /// The pixels that show any of the sky but stars to an eye in space: left, top, width, height.
@@ -162,7 +164,7 @@ impl Frame {
         uniform.clock = waves::ticks_from_unix(unix_seconds) as u32;
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
-        Self {
+        let mut frame = Self {
             camera: *camera,
             size,
             unix_seconds,
@@ -175,13 +177,17 @@ impl Frame {
             local_height_m,
             shows_stars: light::stars_show(&uniform, settings),
             shows_city_lights: light::city_lights_show(&uniform, settings),
+            shows_spindrift: false,
             clouds,
             sky_area: rim::of_sky(&uniform, camera, size),
             quality: settings.quality,
             bisection,
             uniform,
             wave_cells,
-        }
+        };
+        let may_show = frame.is_fine() && frame.has_spray() && frame.has_waves() && frame.has_foam();
+        frame.shows_spindrift = may_show && foam_lifetime_s.is_some() && frame.uniform.layers & SHOWS_SEA != 0;
+        frame
     }
 
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.

@@ -58,8 +58,8 @@ pub const VIEWS: [View; 15] = [
     View {
         id: "bridge",
         widget: "viewBridge",
-        title: "a storm from the bridge, 15 m",
-        fragment: "view=-52,60,15,230,82&bft=10&clouds=0.7&time=2026-12-21T09:00:00Z",
+        title: "a storm from the bridge, 7 m",
+        fragment: "view=-52,60,7,265,86&ride=1&bft=10&clouds=0.6&time=2026-12-21T03:00:31Z",
     },
     View {
         id: "surf",
