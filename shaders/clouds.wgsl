@@ -196,8 +196,9 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let is_open = (hit < 0.0) | is_open_below;
     let far = select(hit, 1e9, is_open);
     let phase = cloud_phase(dot(direction, frame.light));
-    // Neighbouring pixels look elsewhere in their steps, as evenly as can be (J. Jimenez 2014): a fine grain instead of bands.
-    let spread = fract(52.9829189 * fract(dot(corner.position.xy, vec2f(0.06711056, 0.00583715))));
+    // Each of four neighbours looks elsewhere in its steps: cloud_veil.wgsl, whose weights add up to the same for all of them, takes their mean.
+    let pixel = vec2u(corner.position.xy) & vec2u(1u);
+    let spread = (0.5 + f32(pixel.x ^ pixel.y) * 2.0 + f32(pixel.y)) / 4.0;
     let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);

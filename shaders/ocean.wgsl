@@ -23,7 +23,7 @@ const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
-const LACE_LONG = 0.7;
+const STREAKS_BLUR = 1.4;      // how much wider pixels are to storms' streaks than to other foam: their finest would be rows of dots
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
@@ -163,12 +163,13 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
     // A face that a wave turns to the eye shows more of it.
     let faced = clamp(sqrt(right * down) / footprint, 0.1, 1.0);
-    let foam_footprint = faced * across / pow(grazing, 0.65);
+    let foam_footprint = faced * across / pow(grazing, 0.45);
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
         var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
-        var seen = lace_at(foam_at, LACE_LONG * max(2.0 * faced * footprint, max(right, down)), 1, FINE);
+        let width = faced * footprint;
+        var seen = lace_at(foam_at, mix(width, STREAKS_BLUR * max(width, 0.5 * max(right, down)), storm()), 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
             if SURF {

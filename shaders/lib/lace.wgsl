@@ -24,7 +24,7 @@ const MIDST_FROM: f32 = 0.8;
 const MIDST: f32 = 0.2;
 // The lip of dense foam shades the water before it: this wide, in deviations, and so much.
 const SHADED: f32 = 0.35;
-const SHADE: f32 = 0.45;
+const SHADE: f32 = 0.6;
 // The film: how much lower than foam it lies about it, the width of its edge, where two fifths of its opacity come about, and of the rest.
 const FILM_AROUND: f32 = 0.5;
 const FILM_EDGE: f32 = 0.08;
@@ -55,7 +55,7 @@ const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.25;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
-const FOAM_RISE = vec3f(0.06, 0.015, 8.0);
+const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
 // Below foam and film there are bubbles in the water: so many times their opacity.
 const BUBBLES_BELOW: f32 = 3.5;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
@@ -95,6 +95,9 @@ fn both(a: Net, b: Net, share: f32) -> Net {
     return Net(dot(weights, vec2f(a.level, b.level)), mix(a.kept, b.kept, share), weights.x * a.slope + weights.y * b.slope);
 }
 
+// How far storms have drawn foam out along the wind, 0…1.
+fn storm() -> f32 { return smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps); }
+
 // The lace at a place of the foam map's plane, `finer` times as small as on the open water, with relief of the same steepness.
 fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let wind = wave_cells[0].wind;
@@ -116,7 +119,7 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
     // And one of 1.57 m, for bubbles.
     var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
-    let streaked = STREAKED * smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps);
+    let streaked = STREAKED * storm();
     if streaked.x > 0.0 {
         // Of 136 by 17 m and 14 by 3.5 m.
         middle = both(middle, net(finer * vec2i(15, 1), vec2i(8192, 1024), bent, footprint), streaked.x);
