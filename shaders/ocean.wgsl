@@ -23,7 +23,7 @@ const FARTHEST_SURFACE: Metres = 1000.0;
 const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
-const STREAKS_BLUR = 1.4;      // how much wider pixels are to storms' streaks than to other foam: their finest would be rows of dots
+const STREAKS_BLUR = 1.4;      // how much wider pixels are to storms' foam than to other: the finest of its streaks would be rows of dots
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
@@ -160,7 +160,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), seen);
     }
     let foam_at = foam_coordinates(rest);
-    // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
+    // Edges of foam are the sharpest lines of the sea, and stand on faces that are grazed less than level water.
     // A face that a wave turns to the eye shows more of it.
     let faced = clamp(sqrt(right * down) / footprint, 0.1, 1.0);
     let foam_footprint = faced * across / pow(grazing, 0.45);

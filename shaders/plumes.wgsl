@@ -21,9 +21,7 @@ const SIZES = vec2f(0.7, 0.6);             // sizes differ: of the least plume, 
 const TORN_IN = vec2f(0.1, 0.7);
 const CRESTS_IN = vec2f(0.0, 0.25);
 const STRONGEST: f32 = 0.7;                // opacity in a hurricane
-const POWER: f32 = 0.4;                    // of the spray's extinction over a hurricane's, with which opacity goes, from this part of a hurricane's on
-const TORN_FROM: f32 = 0.17;
-const NEAREST_PLUME = vec2f(3.0, 9.0);     // metres from the eye in which it gives way, lest it fill the picture
+const NEAREST_PLUME = vec2f(3.0, 9.0);     // metres of its axis from the eye in which it gives way, lest it fill the picture
 // Thick spray in the sun: what it sends back of it, how much more it sends on ahead, and what it sends back of the sky's light.
 const LIT = vec3f(0.28, 0.96, 0.96);
 
@@ -67,9 +65,10 @@ fn tear(@builtin(global_invocation_id) id: vec3u) {
     let young = height * foam_share(offset, place.height, place.sea.height, max(far * frame.pixel_angle, 0.3 * level.side), true).y;
     let crest = smoothstep(CRESTS_IN.x, CRESTS_IN.y, place.height / max(frame.wave_height, 0.1));
     let distance = length(place.moved);
-    let wind = saturate((pow(frame.spray.x / HURRICANE_SPRAY, POWER) - TORN_FROM) / (1.0 - TORN_FROM));
-    let strength = STRONGEST * wind * crest * smoothstep(TORN_IN.x, TORN_IN.y, young) * shown(square, offset)
-        * smoothstep(NEAREST_PLUME.x, NEAREST_PLUME.y, distance);
+    let size = (SIZES.x + SIZES.y * random.w) * vec2f(dot(LENGTHS[square], vec2f(1.0, frame.wave_height)), dot(WIDTHS[square], vec2f(1.0, frame.wave_height)));
+    let nearest = length(place.moved + clamp(-dot(place.moved, downwind()), 0.0, size.x) * downwind());
+    let strength = select(0.0, STRONGEST * frame.spindrift, place.is_ocean) * crest * smoothstep(TORN_IN.x, TORN_IN.y, young) * shown(square, offset)
+        * smoothstep(NEAREST_PLUME.x, NEAREST_PLUME.y, nearest);
 
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     let direction = place.moved / max(distance, 1e-3);
@@ -77,7 +76,5 @@ fn tear(@builtin(global_invocation_id) id: vec3u) {
     if CLOUDS { light = clouded_daylight(light, up, shadow_of_pixel(rest, vec3f(0.0), true)); }
     let ahead = max(dot(direction, frame.light), 0.0);
     let thick = (light.sun * (LIT.x + LIT.y * ahead * ahead * ahead * ahead) + light.sky * LIT.z) / PI;
-    let size = vec2f(dot(LENGTHS[square], vec2f(1.0, frame.wave_height)), dot(WIDTHS[square], vec2f(1.0, frame.wave_height)));
-    plumes[id.x] = Plume(place.moved, strength, through_air(thick, light, up, direction, distance), random.z, (SIZES.x + SIZES.y * random.w) * size,
-        vec2f(0.0));
+    plumes[id.x] = Plume(place.moved, strength, through_air(thick, light, up, direction, distance), random.z, size, vec2f(0.0));
 }

@@ -12,8 +12,8 @@ const END_ON = 0.2;                // of its strength that a plume has left whic
 // The tile of the lace that gives it its shape, so long and wide, metres; parts of the tile, of one a third as wide, and of a ninth.
 const TILE = vec2f(36.0, 14.0);
 const PARTS = vec3f(0.75, 0.58, 0.32);
-// Turns of the wave clock's 32 bits in which the drops fly along the tile; those of finer tiles are faster.
-const FLIGHT = 900u;
+// Turns of the wave clock's 32 bits in a turn of the drops along the tile: 18 m/s; those of finer tiles fly faster.
+const FLIGHT = 2048u;
 const BEGINS: f32 = 0.3;           // of its length in which it becomes dense
 const NARROW: f32 = 0.45;           // its width where it begins, of that where it ends
 const WHIRLED: f32 = 0.22;          // of its width
@@ -44,14 +44,15 @@ fn vertex(@builtin(vertex_index) index: u32) -> Vertex {
     let axis = along / max(seen, 1e-4);
     let half = 0.5 * vec2f(seen * plume.size.x + plume.size.y, plume.size.y);
     let metres = corner * half;
-    let lod = max(log2(length(middle) * frame.pixel_angle * LACE_TEXELS / TILE.y), 0.0);
+    let lod = log2(length(middle) * frame.pixel_angle * LACE_TEXELS / TILE.y);
     return Vertex(frame.clip_from_local * vec4f(middle + metres.x * axis + metres.y * cross(sight, axis), 1.0), corner, metres, plume.light,
         plume.strength * mix(END_ON, 1.0, seen), plume.seed, lod);
 }
 
-// Level of a tile `finer` times as small as TILE, of the lace's bytes.
+// Level of a tile `finer` times as small as TILE.
 fn shape(at: vec2f, finer: f32, flown: f32, in: Vertex) -> f32 {
-    return textureSampleLevel(lace, repeated, finer * at + vec2f(finer * in.seed - flown, in.seed), in.lod + log2(finer)).x * 255.0 - 128.0;
+    let place = finer * at + vec2f(finer * in.seed - flown, in.seed);
+    return lace_level(textureSampleLevel(lace, repeated, place, max(in.lod + log2(finer), 0.0)));
 }
 
 @fragment
@@ -61,8 +62,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let along = 0.5 * (in.at.x + 1.0);
     let at = in.metres / TILE;
     let flown = f32(frame.clock * FLIGHT) / 4294967296.0;
-    let shapes = vec3f(shape(at, 1.0, flown, in), shape(at, 3.0, 2.0 * flown, in), shape(at, 9.0, 5.0 * flown, in));
-    let levels = LACE_GREATEST_LEVEL / 127.0 * shapes;
+    let levels = vec3f(shape(at, 1.0, flown, in), shape(at, 3.0, 4.0 * flown, in), shape(at, 9.0, 14.0 * flown, in));
     // It spreads and is whirled about, the more, the farther it has flown.
     let across = (in.at.y + WHIRLED * along * (levels.x + levels.y)) / mix(NARROW, 1.0, along);
     let profile = smoothstep(0.0, BEGINS, along) * (1.0 - along) * max(1.0 - across * across, 0.0) * (1.0 - in.at.y * in.at.y);

@@ -205,7 +205,8 @@ impl Renderer {
         self.surface.prepare(&self.gpu, frame);
         self.mesh.prepare(&self.gpu, frame, &self.frame_group.block_layout, MESH_UPDATES[still]);
         let look = Look::of(frame, kind, side.shows_surf);
-        let shows_spindrift = self.visible.is_some() && frame.shows_spindrift && frame.has_light() && !kind.under_water;
+        let shows_spindrift =
+            self.spindrift.is_some() && self.visible.is_some() && frame.has_spindrift() && !kind.under_water;
         if let Some(tiles) = &self.visible {
             self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);

@@ -14,6 +14,9 @@ struct Net {
     slope: vec2f,          // per metre, along the wind and across it
 }
 
+// What the tile's bytes mean.
+fn lace_level(found: vec4f) -> f32 { return LACE_GREATEST_LEVEL * (found.x * 255.0 - 128.0) / 127.0; }
+
 // The tile, turned by a whole-numbered vector: `period` texels of the lace (0.25 m) over that vector's length are its sides. Powers of two
 // wrap exactly, so that it stays in its place however far the eye goes. `texels`: the way from the corner of the eye's texel.
 fn net(turn: vec2i, period: vec2i, texels: vec2f, footprint: Metres) -> Net {
@@ -25,13 +28,12 @@ fn net(turn: vec2i, period: vec2i, texels: vec2f, footprint: Metres) -> Net {
     let scale = LACE_TEXELS * length(t) / (frame.foam_levels[0].side * vec2f(period));
     let lod = max(log2(footprint * scale.y), 0.0);
     let found = textureSampleLevel(lace, repeated, (vec2f(whole) + way) / vec2f(period), lod);
-    let signed = (found.xyz * 255.0 - 128.0) / 127.0;
-    let slope = LACE_GREATEST_SLOPE * signed.yz * scale;
+    let slope = LACE_GREATEST_SLOPE * (found.yz * 255.0 - 128.0) / 127.0 * scale;
     // Between two mip levels, which are not the same, some more is lost; fitted.
     let between = fract(lod);
     let kept = found.w * (1.0 - 0.4 * between * (1.0 - between) * (1.0 - found.w));
     let unit = t / length(t);
-    return Net(LACE_GREATEST_LEVEL * signed.x, kept, vec2f(unit.x * slope.x + unit.y * slope.y, unit.x * slope.y - unit.y * slope.x));
+    return Net(lace_level(found), kept, vec2f(unit.x * slope.x + unit.y * slope.y, unit.x * slope.y - unit.y * slope.x));
 }
 
 // Two numbers of a square of the water, -1…1.

@@ -10,7 +10,7 @@ struct Plume {
     unused: vec2f,
 }
 
-// Unit vector that the wind at the eye blows to.
+// Unit vector that the wind blows to, as in all of the nearest wave cell.
 fn downwind() -> vec3f {
     let wind = wave_cells[0].wind;
     return normalize(-wind.x * wave_cells[0].axis_x - wind.y * wave_cells[0].axis_y);

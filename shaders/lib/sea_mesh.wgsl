@@ -11,8 +11,8 @@ const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some
 const STEP_BEYOND: Metres = 2.0;
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
-// `sea` is what the trains of a shore leave of the waves there, `rise` what they add.
-struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea, rise: Metres }
+// `sea` is what the trains of a shore leave of the waves there, `rise` what they add; `is_ocean` is asked where there are waves.
+struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea, rise: Metres, is_ocean: bool }
 
 fn placed(rest: vec3f, spacing: Metres) -> Place {
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
@@ -21,10 +21,12 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
     var allowed = 0.0;
     var sea = OPEN_SEA;
     var rise = 0.0;
+    var is_ocean = false;
     if (frame.wave_height > 0.0) & !waves_are_pixels(distance) {
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
         sea = local_sea(point);
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
+        is_ocean = ground.is_ocean;
         if SURF {
             let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, spacing);
             sea = left_by_trains(sea, waves.share);
@@ -33,7 +35,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         allowed = held_share(-ground.elevation, sea.height);
         moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, distance, spacing);
     }
-    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise);
+    return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise, is_ocean);
 }
 
 // The water a step beyond a place, as the eye sees it: level way, and how much higher. What `crest_light` takes.

@@ -5,20 +5,23 @@
 const SPRAY_LIGHT = 1.1;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
 const SPRAY_WHITE = 0.5;           // colour of daylight, which drops have; both ours
 
+// Over which it thins out by a factor of e.
+fn spray_height() -> Metres { return SPRAY_LEAST_HEIGHT + frame.wave_height; }
+
 // Optical depth of the spray between the eye and `distance` along a ray that climbs by `rise` per metre.
 fn spray_depth(rise: f32, distance: Metres) -> f32 {
-    let from_height = max(frame.eye_altitude, 0.0) / frame.spray.y;
-    let to_height = max(from_height + rise * distance / frame.spray.y, 0.0);
+    let from_height = max(frame.eye_altitude, 0.0) / spray_height();
+    let to_height = max(from_height + rise * distance / spray_height(), 0.0);
     let climbed = to_height - from_height;
     let mean = select((exp(-from_height) - exp(-to_height)) / climbed, exp(-from_height), abs(climbed) < 1e-3);
-    return frame.spray.x * distance * mean;
+    return frame.spray * distance * mean;
 }
 
 // Optical depth of the spray before the sky; along the horizon as much as an arc of the earth holds.
 fn spray_before_sky(rise: f32) -> f32 {
-    let height = frame.spray.y;
+    let height = spray_height();
     let least = sqrt(2.0 * height / (PI * frame.semi_major));
-    return frame.spray.x * height * exp(-max(frame.eye_altitude, 0.0) / height) / max(rise, least);
+    return frame.spray * height * exp(-max(frame.eye_altitude, 0.0) / height) / max(rise, least);
 }
 
 // Radiance of spray so thick that nothing is seen through it, in the daylight of a place with a vertical `up`.
@@ -39,7 +42,7 @@ fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, di
     let depth = spray_depth(direction.z, distance);
     let left = exp(-depth);
     // What thick spray shows is its near side; from high above all of it is far away.
-    let inside = depth / frame.spray.x;
+    let inside = depth / frame.spray;
     let air = haze(direction, distance - inside * select(1.0 - (1.0 - left) / depth, 0.0, depth < 1e-3));
     return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + lit_air(air.radiance, light.air);
 }

@@ -39,7 +39,7 @@ pub fn film(breaking: f64) -> [f64; 2] {
 /// The film covers no more than where so much breaks: hurricanes have gaps in it, too.
 const MOST_BREAKING: f64 = 0.55;
 /// Opacity of the film, at most, lest it and foam be more than all: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies
-/// twice as dense, and thin foam leaves it 0.6 (`THIN_FOAM`).
+/// twice as dense, and thin foam leaves it 0.6 (`THIN_FOAM`); and a little less than that, for what breaks to stand out of it.
 const MOST_FILM: f64 = 0.45;
 
 /// Foam after `dt_s` seconds, drawn from `foam` towards `equilibrium` with a lifetime in seconds: F ← Fₑ + (F − Fₑ) e^{−dt/τ}, exact

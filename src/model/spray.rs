@@ -6,12 +6,16 @@
 
 use super::earth::WGS84;
 
-/// Extinction at a speed of `HURRICANE_MPS`, per metre: a visibility of 800 m by Koschmieder's law.
-pub const HURRICANE_PER_M: f64 = 3.912 / 800.0;
+/// Extinction at a speed of [`HURRICANE_MPS`], per metre: a visibility of 800 m by Koschmieder's law.
+const HURRICANE_PER_M: f64 = 3.912 / 800.0;
 /// Where the scale's grade 12 begins, m/s.
 const HURRICANE_MPS: f64 = 32.7;
+/// Where its grade 8 does, the first with spindrift, m/s.
+const GALE_MPS: f64 = 17.2;
 /// Extinction grows with this power of the wind: 6 km at 22.6 m/s, 16 km at 19 m/s.
 const POWER: f64 = 5.5;
+/// Height over which spray thins out by a factor of e where there are no waves, metres.
+pub const LEAST_HEIGHT_M: f64 = 2.0;
 /// Optical depths along the sight to the horizon between which spray comes into a picture: less of the light is not missed.
 const SHOWN: [f64; 2] = [0.002, 0.004];
 
@@ -20,9 +24,14 @@ pub fn extinction_per_m(speed_mps: f64) -> f64 {
     HURRICANE_PER_M * libm::pow((speed_mps / HURRICANE_MPS).clamp(0.0, 1.5), POWER)
 }
 
+/// How much spindrift the wind tears off breaking crests, of a hurricane's, 0…1, by its speed in m/s: none below grade 8. Nobody has measured it.
+pub fn spindrift(speed_mps: f64) -> f64 {
+    ((speed_mps - GALE_MPS) / (HURRICANE_MPS - GALE_MPS)).clamp(0.0, 1.0)
+}
+
 /// Height over which spray thins out by a factor of e, metres, by the sea's significant wave height in metres.
 pub fn scale_height_m(hs_m: f64) -> f64 {
-    2.0 + hs_m.max(0.0)
+    LEAST_HEIGHT_M + hs_m.max(0.0)
 }
 
 /// How much of spray is drawn for an eye at a height over the water, 0…1, by its extinction per metre and its scale height, metres: none

@@ -1,7 +1,7 @@
 //! Spindrift: plumes of drops that a storm tears off breaking crests and blows before them.
 //!
 //! Cells of two squares about the eye, fixed to the water at rest as the foam map's texels are, have a plume each: those of the narrower one 3 m
-//! wide, to 120 m from the eye, those of the wider one 13.5 m, to 430 m. The map's young foam says how much of a crest breaks there now, and
+//! wide, to some 90 m from the eye, those of the wider one 13.5 m, to 400 m. The map's young foam says how much of a crest breaks there now, and
 //! with it the plume comes and goes: no drop has a history of its own, so that the same link shows the same spray to everyone. A dispatch finds
 //! the plumes, and a draw lays them over the sea in the order of their cells, which is not that of their distances: all are white.
 
@@ -11,7 +11,6 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::gpu::pipeline::{Bind, Compute, Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
-use crate::model::spray::HURRICANE_PER_M;
 use crate::pass::kind::Kind;
 use crate::pass::ocean::Look;
 
@@ -56,7 +55,7 @@ pub fn plumes_source(look: Look) -> String {
     let Look { kind, waves, noise, surf, .. } = look;
     let shown = [("WAVES", waves), ("NOISE", noise), ("SURF", surf), ("MIRRORS_CLOUDS", false)];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
-    let numbers = format!("const PLUME_SIDE = {SIDE}u;\nconst HURRICANE_SPRAY: f32 = {HURRICANE_PER_M:?};\n");
+    let numbers = format!("const PLUME_SIDE = {SIDE}u;\n");
     shader::composed(include_str!("../../shaders/plumes.wgsl"), &(kind.definitions() + &shown + &numbers))
 }
 

@@ -24,9 +24,9 @@ enum Effect {
     Sky,
     /// Map, lace, bubbles and light of the foam.
     Foam,
-    /// White air over a stormy sea.
+    /// White air over a stormy sea, and the plumes in it.
     Spray,
-    /// Plumes off its crests.
+    /// These plumes, which blow off its crests.
     Spindrift,
     Clouds,
     Stars,
@@ -63,8 +63,8 @@ impl Effect {
                 // From space the whole globe is drawn at once, with all of its layers.
                 state.settings.layers.shows(layer) && without.is_globe() == frame.is_globe()
             }
-            Self::Spray => std::mem::take(&mut without.uniform.spray.x) > 0.0,
-            Self::Spindrift => std::mem::take(&mut without.shows_spindrift),
+            Self::Spray => std::mem::take(&mut without.uniform.spray) > 0.0,
+            Self::Spindrift => frame.has_spindrift() && std::mem::take(&mut without.uniform.spindrift) > 0.0,
             Self::Clouds => without.clouds.take().is_some(),
             Self::Stars => std::mem::take(&mut without.shows_stars),
             Self::CityLights => std::mem::take(&mut without.shows_city_lights),

@@ -1,7 +1,7 @@
 //! Numbers that the CPU and the shaders must agree on, as WGSL constants: each stands once, in Rust, where it is explained.
 
 use super::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
-use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea};
+use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea, spray};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
 
@@ -27,6 +27,7 @@ pub fn shared_constants() -> String {
         ("LAKE_RISE", lakes::SHORE_RISES[0]),
         ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
+        ("SPRAY_LEAST_HEIGHT", spray::LEAST_HEIGHT_M),
         ("TOP", super::rim::AIR_M),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),

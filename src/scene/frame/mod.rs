@@ -61,8 +61,6 @@ pub struct Frame {
     pub shows_stars: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
     pub shows_city_lights: bool,
-    /// Whether spindrift shows: there is spray, and the foam map knows which crests break.
-    pub shows_spindrift: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
     /// The pixels that show any of the sky but stars to an eye in space: left, top, width, height.
@@ -164,7 +162,7 @@ impl Frame {
         uniform.clock = waves::ticks_from_unix(unix_seconds) as u32;
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
-        let mut frame = Self {
+        Self {
             camera: *camera,
             size,
             unix_seconds,
@@ -177,17 +175,13 @@ impl Frame {
             local_height_m,
             shows_stars: light::stars_show(&uniform, settings),
             shows_city_lights: light::city_lights_show(&uniform, settings),
-            shows_spindrift: false,
             clouds,
             sky_area: rim::of_sky(&uniform, camera, size),
             quality: settings.quality,
             bisection,
             uniform,
             wave_cells,
-        };
-        let may_show = frame.is_fine() && frame.has_spray() && frame.has_waves() && frame.has_foam();
-        frame.shows_spindrift = may_show && foam_lifetime_s.is_some() && frame.uniform.layers & SHOWS_SEA != 0;
-        frame
+        }
     }
 
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
@@ -255,7 +249,17 @@ impl Frame {
 
     /// Whether spray is seen.
     pub fn has_spray(&self) -> bool {
-        self.uniform.spray.x > 0.0
+        self.uniform.spray > 0.0
+    }
+
+    /// Whether spindrift is seen, which stands over the foam map's breaking crests.
+    pub fn has_spindrift(&self) -> bool {
+        let is_drawn = self.is_fine() && self.has_light() && self.uniform.layers & SHOWS_SEA != 0;
+        is_drawn
+            && self.uniform.spindrift > 0.0
+            && self.has_spray()
+            && self.has_waves()
+            && self.foam_lifetime_s.is_some()
     }
 
     /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high,

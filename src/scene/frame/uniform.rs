@@ -198,8 +198,10 @@ gpu_struct! {
         clock: u32 = "u32",
         /// How much denser the air is at sea level than at the eye, 0 to 1: the more, the more of a ray's air lies at its far end.
         air_sink: f32 = "f32",
-        /// Spray in the air: extinction at the water, per metre, and the height over which it thins out by e, metres.
-        spray: Vec2 = "vec2f",
+        /// How much spindrift shows, of a hurricane's to an eye near the water; 0: none.
+        spindrift: f32 = "f32",
+        /// Extinction of spray in the air at the water, per metre.
+        spray: f32 = "f32",
         /// Light of the night over what is drawn with the sun's: more where the unit of light is the moon's.
         night: f32 = "f32",
         /// Share of it that falls on the ground of the dark side.

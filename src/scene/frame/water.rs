@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec4, Vec2, Vec4};
 
+use crate::model::sea_bed::smoothstep;
 use crate::model::sea_tables::SeaTables;
 use crate::model::{self, sea_state, spray, wave_domain};
 use crate::scene::frame::uniform::{FoamLevel, FrameUniform, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
@@ -18,6 +19,9 @@ const NO_FOAM_S: f64 = 1e-3;
 /// For how long the front of a breaker is dense, s.
 const FRONT_S: f64 = 0.9;
 
+/// Heights of the eye between which spindrift leaves the picture, metres: from above its squares would show.
+const SPINDRIFT_TO_M: [f64; 2] = [80.0, 250.0];
+
 /// Wind, waves and their statistics, spray, and which layers show.
 pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let speed = settings.wind_speed_mps();
@@ -33,9 +37,12 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     let white_s = if settings.shown_foam().amount > 0.0 { model::foam::LIFETIME_S } else { NO_FOAM_S };
     u.surf = DVec4::new(period_s, white_s.min(FRONT_S), breaks, white_s).as_vec4();
     (u.shore.x, u.shore.y) = (settings.surf.beach_slope as f32, settings.surf.width as f32);
-    let extinction = if settings.shown_foam().amount > 0.0 { spray::extinction_per_m(speed) } else { 0.0 };
+    let is_foaming = settings.shown_foam().amount > 0.0;
+    let extinction = if is_foaming { spray::extinction_per_m(speed) } else { 0.0 };
     let height = spray::scale_height_m(sea.sea.hs_m);
-    u.spray = DVec2::new(extinction * spray::shown(extinction, height, u.eye_altitude.into()), height).as_vec2();
+    u.spray = (extinction * spray::shown(extinction, height, u.eye_altitude.into())) as f32;
+    let shown = 1.0 - smoothstep(SPINDRIFT_TO_M[0], SPINDRIFT_TO_M[1], u.eye_altitude.into());
+    u.spindrift = if is_foaming { (spray::spindrift(speed) * shown) as f32 } else { 0.0 };
     u.chop = sea.sea.chop as f32;
     u.chop_level = sea.chop_level_m as f32;
     u.cascade_levels = Vec4::from(sea.cascade_levels.map(|share| share as f32));

@@ -56,16 +56,16 @@ pub const VIEWS: [View; 15] = [
         fragment: "view=28.8545,-13.792,560,253,71&clouds=0.2&time=2026-11-20T15:00:00Z",
     },
     View {
-        id: "bridge",
-        widget: "viewBridge",
-        title: "a storm from the bridge, 7 m",
-        fragment: "view=-52,60,7,265,86&ride=1&bft=10&clouds=0.6&time=2026-12-21T03:00:31Z",
-    },
-    View {
         id: "surf",
         widget: "viewSurf",
         title: "surf, 12 m",
         fragment: "view=52.372,4.5228,12,330,80&wind=9@300&clouds=0.35&time=2026-07-20T18:45:00Z",
+    },
+    View {
+        id: "bridge",
+        widget: "viewBridge",
+        title: "a storm from the bridge, 7 m",
+        fragment: "view=-52,60,7,265,86&ride=1&bft=10&clouds=0.6&time=2026-12-21T03:00:31Z",
     },
     View {
         id: "calm",
