@@ -122,7 +122,8 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
-        let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.35, is_fine) * step, max(0.35 * step, 70.0), is_lit));
+        // In clouds it is narrower than the steps: each of four neighbours takes others.
+        let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
         let level = cloud_level(place, footprint, edge);
         let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
         let x = (level.x - edge) / deviation;
