@@ -132,7 +132,7 @@ impl Renderer {
             stars: blends.then(|| Stars::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             city_lights: blends.then(|| CityLights::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
             clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
-            spindrift: blends.then(|| Spindrift::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT])),
+            spindrift: blends.then(|| Spindrift::new(&gpu, [frame, layout], [radiance, DEPTH_FORMAT])),
             globe: Globe::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
             below: Below::new(&gpu, frame, layout, radiance),
             land: Land::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),

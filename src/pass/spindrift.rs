@@ -78,19 +78,14 @@ pub struct Spindrift {
 }
 
 impl Spindrift {
-    /// The pass into `formats` of colour and depth, a colour that blends; `frame` and `surface` are the layouts of bind groups 0 and 1.
-    pub fn new(
-        gpu: &Gpu,
-        frame: &wgpu::BindGroupLayout,
-        surface: &wgpu::BindGroupLayout,
-        formats: [wgpu::TextureFormat; 2],
-    ) -> Self {
+    /// The pass into `formats` of colour and depth, a colour that blends; `groups` are the layouts of bind groups 0 and 1.
+    pub fn new(gpu: &Gpu, groups: [&wgpu::BindGroupLayout; 2], formats: [wgpu::TextureFormat; 2]) -> Self {
         let written = gpu.layout("plumes", wgpu::ShaderStages::COMPUTE, &[Bind::StorageWrite]);
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let plumes = gpu.empty_buffer("plumes", usage, u64::from(PLUMES) * size_of::<Plume>() as u64);
         let made = gpu.bind("plumes", &written, &[plumes.as_entire_binding()]);
         let read = gpu.layout("spindrift", wgpu::ShaderStages::VERTEX_FRAGMENT, &[Bind::Storage, Bind::Depth]);
-        let layouts = [frame.clone(), surface.clone(), read];
+        let layouts = [groups[0].clone(), groups[1].clone(), read];
         let (tear, drawings) = Default::default();
         Self { written, made, plumes, layouts, formats, tear, drawings, read: None }
     }
