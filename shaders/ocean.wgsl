@@ -160,10 +160,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), seen);
     }
     let foam_at = foam_coordinates(rest);
-    // Edges of foam are the sharpest lines of the sea, and stand on faces that are grazed less than level water.
+    // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
     // A face that a wave turns to the eye shows more of it.
     let faced = clamp(sqrt(right * down) / footprint, 0.1, 1.0);
-    let foam_footprint = faced * across / pow(grazing, 0.45);
+    let foam_footprint = faced * across / pow(grazing, 0.65);
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {

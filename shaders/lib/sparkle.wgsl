@@ -6,7 +6,7 @@
 
 const FACET: Metres = 0.015;
 const MIRRORING: f32 = 0.5;        // of facets whose slopes are the most usual ones: they are curved, more so in rough water; ours
-const FEWEST: f32 = 0.1;           // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
+const FEWEST: f32 = 0.5;           // of facets that mirror the sun in a pixel: rarer ones would be single dots far off the sun's path
 const MANY = vec2f(3e3, 1e4);      // from so many facets on their mean is seen
 const LARGE: f32 = 0.5;            // share of the water with large facets, each two squares wide
 const RARER: f32 = 0.25;           // and how many there are of them

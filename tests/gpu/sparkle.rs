@@ -78,7 +78,7 @@ fn sparkle_leaves_the_glitter_as_bright_as_it_is() {
         // Poisson's, while a few facets turn to the eye and away together: an exponential number by 1 - cos, a mean square of
         // 2 by 3/2. On half of the water they are four times as rare, and brightest in the middle, by 6x(1 - x) on both axes: 1.2² more.
         let square = |lit: f64, own: f64| {
-            let lit = lit.max(0.1);
+            let lit = lit.max(0.5);
             (1.0 + 1.0 / lit) * (1.0 + (own - 1.0) / (1.0 + lit).powi(2))
         };
         let wanted = (0.5 * square(lit, 3.0) + 0.5 * square(0.25 * lit, 3.0 * 1.44) - 1.0).sqrt();
