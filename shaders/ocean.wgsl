@@ -1,6 +1,6 @@
 // The sea: either mesh (lib/sea_mesh.wgsl), shaded over what the land pass left. The water class
 // decides what is sea, never the depth buffer. `MEASURED`, `UNDER_WATER`, `SPRAY` and `FINE` are of src/pass/kind.rs; what of the sea shows at all
-// is known when it is compiled, too (`Look` in src/pass/ocean.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share,
+// is known when it is compiled, too (src/pass/look.rs): `WAVES` of the patches, the far sea's `NOISE`, `FOAM` as more than a share,
 // `SURF` on shores.
 // Long, but one thing: whoever asks why a pixel of the sea looks as it does reads it from top to bottom, each step from a library.
 #import sea_mesh

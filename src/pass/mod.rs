@@ -17,6 +17,7 @@ pub mod frame_group;
 pub mod globe;
 pub mod kind;
 pub mod land;
+pub mod look;
 pub mod ocean;
 pub mod perlin;
 pub mod points;

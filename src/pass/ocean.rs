@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::kind::Kind;
+use super::look::Look;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
@@ -10,45 +10,10 @@ use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
-/// What the shader knows of a picture when it is compiled: its kind, and what of the sea shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Look {
-    /// The picture's.
-    pub kind: Kind,
-    /// Some of the wave patches show.
-    pub waves: bool,
-    /// The far sea's noise shows.
-    pub noise: bool,
-    /// The foam's map or its lace show.
-    pub foam: bool,
-    /// Shores may be so near that their surf shows.
-    pub surf: bool,
-}
-
-impl Look {
-    /// Every one.
-    pub fn all() -> impl Iterator<Item = Self> {
-        Kind::all().flat_map(|kind| {
-            let looks = if kind.shows_surf() { 16 } else { 8 };
-            (0..looks).map(move |bits: u8| {
-                let [waves, noise, foam, surf] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
-                Self { kind, waves, noise, foam, surf }
-            })
-        })
-    }
-
-    /// That of a frame of some kind, with shores nearby or without.
-    pub fn of(frame: &Frame, kind: Kind, shows_surf: bool) -> Self {
-        let surf = shows_surf && kind.shows_surf();
-        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf }
-    }
-}
-
 /// The composed shader.
-pub fn source(Look { kind, waves, noise, foam, surf }: Look) -> String {
-    let shown = [("WAVES", waves), ("NOISE", noise), ("FOAM", foam), ("SURF", surf)];
-    let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
-    shader::composed(include_str!("../../shaders/ocean.wgsl"), &(kind.definitions() + &shown))
+pub fn source(look: Look) -> String {
+    let foam = format!("const FOAM: bool = {};\n", look.foam);
+    shader::composed(include_str!("../../shaders/ocean.wgsl"), &(look.definitions() + &foam))
 }
 
 /// The pass.

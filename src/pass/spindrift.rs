@@ -9,10 +9,10 @@ use std::collections::HashMap;
 
 use bytemuck::{Pod, Zeroable};
 
+use super::kind::Kind;
+use super::look::Look;
 use crate::gpu::pipeline::{Bind, Compute, Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
-use crate::pass::kind::Kind;
-use crate::pass::ocean::Look;
 
 /// Cells along a side of a square; a power of two.
 const SIDE: u32 = 64;
@@ -52,11 +52,8 @@ pub fn looks() -> impl Iterator<Item = Look> {
 
 /// The composed shader that finds the plumes of one of the [`looks`].
 pub fn plumes_source(look: Look) -> String {
-    let Look { kind, waves, noise, surf, .. } = look;
-    let shown = [("WAVES", waves), ("NOISE", noise), ("SURF", surf), ("MIRRORS_CLOUDS", false)];
-    let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
-    let numbers = format!("const PLUME_SIDE = {SIDE}u;\n");
-    shader::composed(include_str!("../../shaders/plumes.wgsl"), &(kind.definitions() + &shown + &numbers))
+    let own = format!("const MIRRORS_CLOUDS = false;\nconst PLUME_SIDE = {SIDE}u;\n");
+    shader::composed(include_str!("../../shaders/plumes.wgsl"), &(look.definitions() + &own))
 }
 
 /// The composed shader that draws them.

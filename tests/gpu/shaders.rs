@@ -12,7 +12,7 @@ use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::land::Near;
-use ocean_globe::pass::ocean::Look;
+use ocean_globe::pass::look::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe,
     land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,

@@ -1,0 +1,45 @@
+//! What of the sea shows in a picture.
+
+use super::kind::Kind;
+use crate::scene::frame::Frame;
+
+/// What shaders of the sea know of a picture when they are compiled: its kind, and what of the sea shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Look {
+    /// The picture's.
+    pub kind: Kind,
+    /// Some of the wave patches show.
+    pub waves: bool,
+    /// The far sea's noise shows.
+    pub noise: bool,
+    /// The foam's map or its lace show.
+    pub foam: bool,
+    /// Shores may be so near that their surf shows.
+    pub surf: bool,
+}
+
+impl Look {
+    /// Every one.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Kind::all().flat_map(|kind| {
+            let looks = if kind.shows_surf() { 16 } else { 8 };
+            (0..looks).map(move |bits: u8| {
+                let [waves, noise, foam, surf] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
+                Self { kind, waves, noise, foam, surf }
+            })
+        })
+    }
+
+    /// That of a frame of some kind, with shores nearby or without.
+    pub fn of(frame: &Frame, kind: Kind, shows_surf: bool) -> Self {
+        let surf = shows_surf && kind.shows_surf();
+        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf }
+    }
+
+    /// What shaders of the sea's mesh are told.
+    pub fn definitions(self) -> String {
+        let Self { kind, waves, noise, surf, .. } = self;
+        let shown = [("WAVES", waves), ("NOISE", noise), ("SURF", surf)];
+        kind.definitions() + &shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat()
+    }
+}
