@@ -15,8 +15,8 @@ const PARTS = vec3f(0.75, 0.58, 0.32);
 // Turns of the wave clock's 32 bits in a turn of the drops along the tile: 18 m/s; those of finer tiles fly faster.
 const FLIGHT = 2048u;
 const BEGINS: f32 = 0.3;           // of its length in which it becomes dense
-const NARROW: f32 = 0.45;           // its width where it begins, of that where it ends
-const WHIRLED: f32 = 0.22;          // of its width
+const NARROW: f32 = 0.45;          // its width where it begins, of that where it ends
+const WHIRLED: f32 = 0.22;         // of its width
 const RAGGED: f32 = 0.7;           // how far its edge is torn, and over which levels it goes
 const EDGE: f32 = 1.8;
 
