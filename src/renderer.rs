@@ -8,6 +8,7 @@ use crate::data::tile::{Layer, Projection};
 use crate::data::world::World;
 use crate::error::Result;
 use crate::gpu::drawing::{begin, resume};
+use crate::gpu::timing::Stages;
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::DEEP_REFLECTANCE;
 use crate::pass::air_table::AirTable;
@@ -90,6 +91,7 @@ pub struct Renderer {
     /// Map tiles of the ground; `None` from space.
     visible: Option<Vec<DrawnTile>>,
     complete: bool,
+    stages: Stages,
 }
 
 impl Renderer {
@@ -155,6 +157,7 @@ impl Renderer {
             dispatches: 0,
             visible: None,
             complete: false,
+            stages: Stages::default(),
             gpu,
             world,
             seas: Seas::default(),
@@ -257,16 +260,22 @@ impl Renderer {
         let city_lights = self.city_lights.as_mut().filter(|_| is_seen && frame.shows_city_lights);
         let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame));
         let points: Vec<_> = stars.into_iter().flatten().chain(city_lights).collect();
+        let mut stages = std::mem::take(&mut self.stages);
+        stages.begin(encoder);
 
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
             self.air_table.dispatch(&mut pass, frame_group);
             self.sky_table.dispatch(&mut pass, frame_group, &self.air_table.group);
             self.sky_view.dispatch(&mut pass, frame_group, &self.air_table.group);
+            stages.end(&mut pass, "air");
             self.cloud_map.dispatch(&mut pass);
             self.cloud_light.dispatch(&mut pass, frame_group, self.surface.group());
+            stages.end(&mut pass, "weather");
             self.surface.dispatch(&mut pass, frame_group);
+            stages.end(&mut pass, "surface");
             self.mesh.dispatch(&mut pass, &self.frame_group.block_group);
+            stages.end(&mut pass, "mesh");
         }
         self.cloud_light.hand_over(encoder);
         let surface = self.surface.group();
@@ -275,10 +284,12 @@ impl Renderer {
             // In the light under the clouds, which has just been handed over.
             let mut pass = encoder.begin_compute_pass(&Default::default());
             spindrift.dispatch(&mut pass, look, [frame_group, surface]);
+            stages.end(&mut pass, "spindrift");
         }
         let cloud_look = CloudLook::of(self.visible.is_none(), frame.is_fine());
         if let Some((pass, clouds)) = self.clouds.as_mut().zip(frame.clouds).filter(|_| is_seen) {
             pass.sketch(&self.gpu, encoder, (cloud_look, frame.size, clouds.area), [frame_group, surface]);
+            stages.end(encoder, "clouds");
         }
         let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
         let ground_kind = (kind, self.world.has(Layer::Imagery, Projection::Mercator));
@@ -299,6 +310,8 @@ impl Renderer {
             self.sky.draw(&mut pass, kind, frame_group, surface);
             pass.set_scissor_rect(0, 0, frame.size[0], frame.size[1]);
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
+            drop(pass);
+            stages.end(encoder, "globe");
         } else if kind.measured || !kind.under_water {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
@@ -310,9 +323,11 @@ impl Renderer {
             }
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
+            stages.end(encoder, "land, sky");
             // Waves stand before clouds that are above the eye.
             if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| !clouds.are_below) {
                 pass.draw(&mut resume(encoder, "clouds", &targets.scene), clouds.area, [frame_group, surface]);
+                stages.end(encoder, "drawn clouds");
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
@@ -321,9 +336,12 @@ impl Renderer {
             if let Some(spindrift) = spindrift {
                 spindrift.draw(&mut pass, targets.samples(), [frame_group, surface]);
             }
+            drop(pass);
+            stages.end(encoder, "sea");
         }
         if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| clouds.are_below) {
             pass.draw(&mut resume(encoder, "clouds", &radiance), clouds.area, [frame_group, surface]);
+            stages.end(encoder, "drawn clouds");
         }
         if let Some(kind) = side.below() {
             let look = Look::of(frame, kind, false);
@@ -331,8 +349,12 @@ impl Renderer {
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
             self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
+            stages.end(encoder, "under water");
         }
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
+        stages.end(encoder, "tone");
+        stages.resolve(encoder);
+        self.stages = stages;
     }
 
     /// Draws the sea's surface of a look, where the frame shows it.
@@ -410,6 +432,19 @@ impl Renderer {
     /// Whether the sea, its foam or the mesh are still being made: that needs frames, and nothing from outside.
     pub fn is_replaying(&self) -> bool {
         self.seas.is_busy() || self.seas.shelter.is_busy() || self.surface.is_replaying() || self.mesh.is_settling()
+    }
+
+    /// Says whether the next frames shall tell what their stages cost, see [`Renderer::stage_times`].
+    pub fn measure_stages(&mut self, measured: bool) {
+        self.stages = if measured { Stages::measured(&self.gpu) } else { Stages::default() };
+    }
+
+    /// The last frame's stages in order and their milliseconds on the device, see [`Stages::read`]. Waits for the device.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::Gpu`] when the device is lost.
+    pub fn stage_times(&self) -> Result<Vec<(&'static str, Option<f64>)>> {
+        self.stages.read(&self.gpu)
     }
 
     /// The device.

@@ -15,22 +15,24 @@ use crate::scene::view::state::ViewState;
 
 mod effects;
 mod heights;
+mod stages;
 use effects::Effects;
 use heights::{Height, Heights};
 
 /// Measure the time of a frame at every named view, and what heights, meshes and effects cost.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  ocean-globe bench                            three tables, 640x360
+  ocean-globe bench                            four tables, 640x360
   ocean-globe bench --size 1920x1080 -o bench.json
   ocean-globe bench --state '#view=35.68,-14.25,9,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=extreme' --size 1920x1080
                                                more than a million triangles, waves of 2048 x 2048
 
-The second table draws one gale from five heights while the eye moves. Its shares say how much longer a frame takes
+The second table says how long each stage of a frame takes by the device's own clock, where it has one.
+The third draws one gale from five heights while the eye moves. Its shares say how much longer a frame takes
   tessellation   than on a grid of a sixteenth of the vertices
   updates        than with the same bisected triangles at rest
   noise          than where the wave patches make the far sea as well, without the noise
-The third says what share of a named view's frame goes when an effect of light is switched off.")]
+The fourth says what share of a named view's frame goes when an effect of light is switched off.")]
 pub struct BenchArgs {
     /// Width and height in pixels.
     #[arg(long, default_value = "640x360")]
@@ -48,6 +50,9 @@ pub struct BenchArgs {
     #[arg(long, default_value = "www/data")]
     pub data: String,
 }
+
+/// Scene seconds from one timed frame to the next: nothing may be kept from the frame before.
+const STEP_S: f64 = 0.1;
 
 /// Named views whose heights are compared, from the lowest.
 const HEIGHTS: [&str; 5] = ["gale", "coast", "islands", "ocean", "globe"];
@@ -101,13 +106,12 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     println!("{}, {}x{}, median of {} frames", gpu.adapter, size[0], size[1], args.frames);
     let head = ["frame ms", "encode ms", "triangles", "land", "map tiles", "waves"];
     println!("{:<12}{}", "view", head.map(|column| format!(" {column:>10}")).concat());
-    let mut rows = Vec::new();
+    let (mut rows, mut staged) = (Vec::new(), Vec::new());
     for (name, state) in &views {
         let (mut frame, _) = draw(&mut renderer, state, size, Output::Picture)?;
         let mut times = Vec::new();
         for _ in 0..args.frames {
-            // A tenth of a second later each time: nothing may be kept from the frame before.
-            frame.unix_seconds += 0.1;
+            frame.unix_seconds += STEP_S;
             times.push(frame_ms(&mut renderer, &frame, &target)?);
         }
         let [whole, encode] = [0, 1].map(|part| median(times.iter().map(|t| t[part]).collect()));
@@ -120,8 +124,10 @@ pub fn run(args: &BenchArgs) -> Result<()> {
             "view": name, "frame_ms": whole, "encode_ms": encode, "triangles": triangles,
             "land_triangles": land_triangles, "map_tiles": map_tiles, "samples": samples,
         }));
+        staged.push((*name, stages::measure(&mut renderer, &mut frame, &target, args.frames)?));
     }
     drop(renderer);
+    print!("\n{}", stages::table(&staged));
     println!("\n{}", Height::head());
     let mut compared = Heights::new(&gpu, &args.data, target.clone(), size)?;
     let mut records = Vec::new();
@@ -143,7 +149,7 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     let Some(path) = &args.output else { return Ok(()) };
     let record = serde_json::json!({
         "adapter": gpu.adapter, "size": size, "frames": args.frames, "views": rows, "heights": records,
-        "effects": shares,
+        "effects": shares, "stages": stages::json(&staged),
     });
     std::fs::write(path, format!("{record:#}\n"))
         .map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::pipeline::Made;
+use super::timing::Stages;
 use crate::error::{Error, Result};
 
 /// A device with its queue, and what it calls itself.
@@ -27,7 +28,7 @@ pub struct Gpu {
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("ocean-globe"),
-        required_features: adapter.features() & (wgpu::Features::FLOAT32_FILTERABLE | wgpu::Features::TIMESTAMP_QUERY),
+        required_features: adapter.features() & (wgpu::Features::FLOAT32_FILTERABLE | Stages::FEATURES),
         required_limits: wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d.clamp(8192, 16384),
             ..wgpu::Limits::default()

@@ -11,7 +11,7 @@
 
 use std::time::Duration;
 
-use super::{frame_ms, median};
+use super::{STEP_S, frame_ms, median};
 use crate::cli::render::{draw, instant};
 use crate::data::world::World;
 use crate::error::Result;
@@ -26,8 +26,6 @@ use crate::scene::view::state::ViewState;
 
 /// How many times as wide as the grid's the coarse grid's cells are.
 const COARSER: f32 = 4.0;
-/// Scene seconds from one timed frame to the next.
-const STEP_S: f64 = 0.1;
 /// Way of the eye in a round, altitudes: the bisected mesh has to follow.
 const WAY: f64 = 0.01;
 
