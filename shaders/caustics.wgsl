@@ -25,7 +25,7 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     let surface = vec3f(reach + down.xy / down.z * depth, -frame.eye_altitude);
     let cell = caustic_stretch(grid) / (0.5 * CAUSTIC_CELLS);
     let sea = local_sea(map_point(dn));
-    let slope = held_share(depth, sea.height) * slopes_in(sea, surface, length(surface), max(cell.x, cell.y)).slope;
+    let slope = held_share(depth, sea.height) * slopes_in(sea, surface, length(surface), max(cell.x, cell.y), 1.0).slope;
     let ray = into_water(-frame.light, normalize(vec3f(-slope, 1.0)));
     let bed = surface.xy - ray.xy / min(ray.z, -0.2) * depth;
     return Vertex(vec4f(caustic_coordinates(bed), 0.5, 1.0), surface.xy, bed);

@@ -75,16 +75,18 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var sea = OPEN_SEA;
     if FINE { sea = local_water(point, select(OF_LAKE, OF_OCEAN, ocean > 0.0)); }
     let lake = on_river(sea, ground);
-    let lake_foam = min(lake.height, 1.0) * share_from_afar(0.0, 1.0, ground_across);
-    var water = inland_water(rest, ground, direction, up, up, local_slopes(lake), mean_foam(lake_foam, mean_dense_from(lake_foam, FINE), 1.0, FINE));
+    let lake_height = min(lake.height, 1.0);
+    let lake_share = lake_height * share_from_afar(0.0, 1.0, ground_across);
+    let lake_foam = mean_foam(lake_share, mean_dense_from(lake_share, FINE), lake_height, FINE);
+    var water = inland_water(rest, ground, direction, up, up, local_slopes(lake), lake_foam);
     var water_share = inland_share(ground, ground_across);
     if ocean > 0.0 {
-        let calmed = held_share(depth, sea.height);
-        let whitecaps = calmed * sea.height * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
-        let foam = mean_foam(whitecaps, mean_dense_from(whitecaps, FINE), calmed, FINE);
+        let whitened = held_share(depth, sea.height) * sea.height;
+        let share = whitened * share_from_afar(0.0, 1.0, across / pow(grazing, 0.65));
+        let foam = mean_foam(share, mean_dense_from(share, FINE), whitened, FINE);
         let footprint = across / sqrt(grazing);
         // No gust is as wide as its pixels.
-        let rough = slopes_in(sea, rest, distance, footprint).rough;
+        let rough = slopes_in(sea, rest, distance, footprint, 1.0).rough;
         water = WaterPoint(rest, -direction, up, up, along_wind(up), rough, water_alpha(depth),
             water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth), foam, MEAN_FACETS, vec3f(0.0));
         water_share = ocean;

@@ -21,6 +21,7 @@ const FRAYED = 0.55;             // how far what grows reaches out on to a beach
 const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
 const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sand
+const SHORE_SAND = vec2f(30.0, 80.0);   // from the shore, m, between which the sand of the bed loses its mottles and its grain
 const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
 const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, more and more the sea's own; the water over it wets it
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
@@ -96,21 +97,25 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     // Where the shore crosses a pixel its land is what shows of its ground.
     let sight = sinking(point, direction, up, LEAST_SINKING);
     let is_bed = (ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_sea(width));
+    // There is nothing of the land on it: so far out the sea itself lays the sand.
+    let is_apart = is_bed & ((-ground.elevation >= BED_AS_BEACH) | (ground.ocean_shore >= SHORE_SAND.y));
+    let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);
     var albedo: vec3f;
     var shaded = normal;
-    var sand = SAND;
+    let plain_sand = mix(SAND, ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / BEACH);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
-    if FINE && GROWTH { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
-    if IMAGERY {
+    if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
+    if IMAGERY && !is_apart {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
         sandy *= 1.0 - snowy;
-        sand = mix(mix(SAND, ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff)), albedo, snowy);
+        sand = mix(sand, albedo, snowy);
         if FINE {
             // What stands hides the ground between, the more so the flatter a sight is: what lies flat would be seen as streaks.
             flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
@@ -141,14 +146,15 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             albedo = mix(albedo, ROCK, 0.7 * steep);
             grown = max(grown, 0.85 * standing.cover);
         }
-    } else {
+    } else if !is_apart {
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
     }
     if is_bed {
-        albedo = mix(MOIST_SAND * sand, bed_colour(-ground.elevation), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        let by_beach = mix(plain_sand, sand, ashore);
+        albedo = mix(MOIST_SAND * by_beach, bed_colour(-ground.elevation), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
-            albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
+            albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
         }
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);

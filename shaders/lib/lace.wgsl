@@ -200,7 +200,7 @@ fn shown_rafts(share: f32, rafts: vec2f, fine: bool) -> vec2f {
     return mix(vec2f(1.0), rafts, vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), RAFTS_SHOW.z));
 }
 
-// Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's waves that the depth leaves.
+// Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's height that depth and lee leave.
 fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> Foam {
     let above = excess(share, seen.level.x);
     let film = frame.film.y;

@@ -69,9 +69,13 @@ struct Slopes {
     folds: vec2f,          // how much the chop draws the water together, a normal level, and its variance, 1 where a footprint hides nothing
 }
 
+const RIPPLES = 2u;       // the first of the patches whose waves are short: 6 m and less
+
 // What a footprint hides is the mean of the squared slopes less the square of their mean, from the same mip levels, so that
 // nothing is lost in between: what the texture filter takes from the slopes becomes roughness too.
-fn slopes_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> Slopes {
+//
+// `ripples`: how much steeper than usual the short waves are that stand out in a pixel, those of the patches from RIPPLES on.
+fn slopes_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres, ripples: f32) -> Slopes {
     let weights = mix_weights(distance);
     let all = local_slopes(sea);
     if !(WAVES || NOISE) || !any_resolvable(footprint) { return Slopes(vec2f(0.0), all, 1.0, vec2f(0.0)); }
@@ -95,13 +99,14 @@ fn slopes_in(sea: LocalSea, p: vec3f, distance: Metres, footprint: Metres) -> Sl
         if WAVES && shown.all > 0u && weights.x > 0.0 { loop {
             let around = cascade_around(here, c, footprint, texels);
             let triangle = served(around.triangle, c < shown.clear);
+            let steeper = select(1.0, ripples, c >= RIPPLES);
             var k = 0u;
             loop {
                 let w = here.share * triangle.weights[k] * weights.x * sea.gains[c];
                 let laid = cascade_placement(here.plane, c, triangle, k, texels);
                 let means = textureSampleLevel(slopes, repeated, laid.at, c, around.lod);
                 let seen = around.fade * means.xy;
-                slope += w * (seen.x * laid.axis_x + seen.y * laid.axis_y);
+                slope += w * steeper * (seen.x * laid.axis_x + seen.y * laid.axis_y);
                 rough += w * w * max(means.zw - seen * seen, vec2f(0.0));
                 if (c < shown.clear) & (frame.chop > 0.0) {
                     let stretch = textureSampleLevel(stretches, repeated, laid.at, c, around.lod).xyz;

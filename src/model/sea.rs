@@ -9,8 +9,8 @@
 
 use super::modes::{self, Mode};
 use super::spectrum::{
-    DAMPING_M, Directed, DirectionalSpectrum, Elfouhaily, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain,
-    TAIL_START, Tma,
+    DAMPING_M, Directed, DirectionalSpectrum, Elfouhaily, Equilibrium, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue,
+    SwellTrain, TAIL_START, Tma,
 };
 use super::{optics, quadrature::simpson_log, sea_state, spreading::DonelanBanner};
 
@@ -198,7 +198,7 @@ impl Sea {
                 WindSpectrum::PiersonMoskowitz(SlopeTrue::new(directed(sea), hs, mss, DAMPING_M))
             }
             SpectrumKind::Jonswap | SpectrumKind::Sines | SpectrumKind::Gerstner => {
-                WindSpectrum::Jonswap(SlopeTrue::new(directed(grown), hs, mss, DAMPING_M))
+                WindSpectrum::Jonswap(SlopeTrue::new(Equilibrium::new(directed(grown)), hs, mss, DAMPING_M))
             }
             SpectrumKind::Tma => {
                 let sea = directed(Tma::new(grown, self.depth_m));

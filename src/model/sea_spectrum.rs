@@ -1,7 +1,8 @@
 //! The spectrum of a whole sea: the wind's waves, whichever their shape, and a swell.
 
 use super::spectrum::{
-    Directed, DirectionalSpectrum, Elfouhaily, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain, Tma,
+    Directed, DirectionalSpectrum, Elfouhaily, Equilibrium, Jonswap, Phillips, PiersonMoskowitz, SlopeTrue, SwellTrain,
+    Tma,
 };
 use super::{dispersion, spreading::DonelanBanner};
 
@@ -13,7 +14,7 @@ pub enum WindSpectrum {
     /// Of [`SpectrumKind::PiersonMoskowitz`](super::sea::SpectrumKind::PiersonMoskowitz).
     PiersonMoskowitz(SlopeTrue<Directed<PiersonMoskowitz, DonelanBanner>>),
     /// Of [`SpectrumKind::Jonswap`](super::sea::SpectrumKind::Jonswap).
-    Jonswap(SlopeTrue<Directed<Jonswap, DonelanBanner>>),
+    Jonswap(SlopeTrue<Equilibrium<Directed<Jonswap, DonelanBanner>>>),
     /// Of [`SpectrumKind::Tma`](super::sea::SpectrumKind::Tma).
     Tma(SlopeTrue<Directed<Tma, DonelanBanner>>),
     /// Of [`SpectrumKind::Elfouhaily`](super::sea::SpectrumKind::Elfouhaily).

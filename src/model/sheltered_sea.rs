@@ -18,10 +18,11 @@
 use std::f64::consts::{PI, TAU};
 
 use super::GRAVITY;
+use super::optics::cox_munk_mss;
 use super::quadrature::simpson_log;
 use super::sea::Sea;
 use super::sea_tables::SeaTables;
-use super::spectrum::{Directed, DirectionalSpectrum, Jonswap};
+use super::spectrum::{DAMPING_M, Directed, DirectionalSpectrum, Equilibrium, Jonswap, SlopeTrue};
 use super::spreading::{Cos2s, DonelanBanner, Spreading};
 use super::waves::Cascade;
 use barrier::behind_barrier;
@@ -199,7 +200,7 @@ pub fn rings(cascades: &[Cascade], omnidirectional: impl Fn(f64) -> f64) -> [f64
     })
 }
 
-/// Energy in each ring of the sea over a fetch, over that of the open one: both as JONSWAP has them. The first patches together
+/// Energy in each ring of the sea over a fetch, over that of the open one: both as the usual spectrum has them. The first patches together
 /// lose what the height does; the tail that the wind holds in balance is never more than the open sea's.
 fn grown(sea: &Sea, cascades: &[Cascade], fetch_m: f64, depth_m: f64) -> [f64; RINGS] {
     let (hs_m, peak_s) = young_verhagen(sea.speed_mps, fetch_m, depth_m);
@@ -208,11 +209,14 @@ fn grown(sea: &Sea, cascades: &[Cascade], fetch_m: f64, depth_m: f64) -> [f64; R
     if hs_m <= 0.0 {
         return [0.0; RINGS];
     }
-    let of = |sea: Jonswap| {
-        let sea = Directed { frequency: sea, spreading: DonelanBanner };
+    let mss = cox_munk_mss(sea.speed_mps).total;
+    let of = |hs_m, peak_s| {
+        let frequency = Jonswap::from_height(hs_m, peak_s);
+        let sea = Equilibrium::new(Directed { frequency, spreading: DonelanBanner });
+        let sea = SlopeTrue::new(sea, hs_m, mss, DAMPING_M);
         rings(cascades, |k| sea.omnidirectional(k))
     };
-    let (open, grown) = (of(Jonswap::from_height(open_m, TAU / open.omega_p)), of(Jonswap::from_height(hs_m, peak_s)));
+    let (open, grown) = (of(open_m, TAU / open.omega_p), of(hs_m, peak_s));
     std::array::from_fn(|ring| {
         let share = if open[ring] > 0.0 { grown[ring] / open[ring] } else { 1.0 };
         if ring + 1 < RINGS { share } else { share.min(1.0) }

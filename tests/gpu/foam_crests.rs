@@ -23,7 +23,7 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     let y = wave_cells[0].axis_y;
     let p = offset.x * x + offset.y * y - frame.eye_altitude * cross(x, y);
     let wind = -wave_cells[0].wind.x * x - wave_cells[0].wind.y * y;
-    let slope = slopes_in(OPEN_SEA, p, 1.0, level.breaking).slope;
+    let slope = slopes_in(OPEN_SEA, p, 1.0, level.breaking, 1.0).slope;
     found[id.x] = vec2f(displacement_in(OPEN_SEA, p, 1.0, level.breaking).z, dot(slope, wind.xy));
 }";
 const LEVEL: usize = 2;

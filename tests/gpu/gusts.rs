@@ -10,13 +10,15 @@ use ocean_globe::scene::view::camera::Camera;
 use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import gusts
-struct Asked { at: vec2u, sin_lat: f32, footprint: f32 }
+struct Asked { at: vec2u, sin_lat: f32, footprint: f32, height: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
-@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@group(2) @binding(1) var<storage, read_write> found: array<vec2f>;
 @compute @workgroup_size(64)
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
-    found[id.x] = gusts(MapPoint(MERCATOR, asked[id.x].at), asked[id.x].sin_lat, asked[id.x].footprint);
+    let own = asked[id.x];
+    let point = MapPoint(MERCATOR, own.at);
+    found[id.x] = vec2f(gusts(point, own.sin_lat, own.footprint), ripples_at(point, own.sin_lat, own.height, own.footprint));
 }";
 
 #[repr(C)]
@@ -25,10 +27,19 @@ struct Asked {
     at: [u32; 2],
     sin_lat: f32,
     footprint: f32,
+    /// Over the long waves' significant height.
+    height: f32,
+    _unused: f32,
 }
 
-/// Factors for an eye at a longitude, in a wind from 250 degrees.
-fn gusts(lon: f64, asked: &[Asked]) -> Vec<f64> {
+impl Asked {
+    fn new(at: [u32; 2], sin_lat: f32, footprint: f32, height: f32) -> Self {
+        Self { at, sin_lat, footprint, height, _unused: 0.0 }
+    }
+}
+
+/// Factors of the hidden slopes' variance and of ripples' slopes for an eye at a longitude, in a wind from 250 degrees.
+fn both(lon: f64, asked: &[Asked]) -> Vec<[f64; 2]> {
     let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
     let settings = Settings { wind: Wind { speed_mps: 7.0, from_deg: 250.0 }, ..Settings::default() };
     let frame = Frame::new(&settings, &Camera::from_degrees(10.0, lon, 10.0, 0.0, 0.0), 1.7e9, [64; 2]);
@@ -37,8 +48,13 @@ fn gusts(lon: f64, asked: &[Asked]) -> Vec<f64> {
     let groups =
         [kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells), gpu.bind("unused", &layouts[1], &[])];
     let kernel = Kernel::<1>::new(&gpu, &shader::composed(KERNEL, ""), "ask", &layouts.each_ref());
-    let [found] = kernel.run::<_, f32>(&gpu, &groups.each_ref(), asked);
-    found.into_iter().map(f64::from).collect()
+    let [found] = kernel.run::<_, [f32; 2]>(&gpu, &groups.each_ref(), asked);
+    found.into_iter().map(|factors| factors.map(f64::from)).collect()
+}
+
+/// Those of the hidden slopes alone.
+fn gusts(lon: f64, asked: &[Asked]) -> Vec<f64> {
+    both(lon, asked).into_iter().map(|[hidden, _]| hidden).collect()
 }
 
 #[test]
@@ -47,7 +63,7 @@ fn gusts_leave_the_mean_roughness() {
     for (footprint, levels) in [(5.0, 4.0), (30.0, 3.0), (130.0, 2.0), (2_000.0f32, 0.0)] {
         let places = (0..POINTS).map(|n| noise::bits(3, 1, n, 0)[0]);
         let asked: Vec<_> =
-            places.map(|bits| Asked { at: [bits as u32, (bits >> 32) as u32], sin_lat: 0.2, footprint }).collect();
+            places.map(|bits| Asked::new([bits as u32, (bits >> 32) as u32], 0.2, footprint, 0.0)).collect();
         let found = gusts(-30.0, &asked);
         let mean = found.iter().sum::<f64>() / found.len() as f64;
         let logs: Vec<f64> = found.iter().map(|factor| factor.ln()).collect();
@@ -63,13 +79,38 @@ fn gusts_leave_the_mean_roughness() {
 }
 
 #[test]
+fn ripples_are_as_steep_as_they_are_on_the_whole_and_steepest_on_crests() {
+    const POINTS: i32 = 60_000;
+    let asked: Vec<_> = (0..POINTS)
+        .map(|n| {
+            let [place, height] = [3, 4].map(|seed| noise::bits(seed, 1, n, 0)[0]);
+            let [a, b] = [height as u32, (height >> 32) as u32].map(|word| (f64::from(word) + 0.5) / 4_294_967_296.0);
+            // Normal (Box and Muller 1958): of waves as the sum of many they are, a quarter of the significant height is a deviation.
+            let height = 0.25 * (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos();
+            Asked::new([place as u32, (place >> 32) as u32], 0.2, 0.05, height as f32)
+        })
+        .collect();
+    let found: Vec<f64> = both(-30.0, &asked).into_iter().map(|[_, ripples]| ripples * ripples).collect();
+    let mean = |chosen: &dyn Fn(f32) -> bool| {
+        let of: Vec<f64> =
+            asked.iter().zip(&found).filter(|(asked, _)| chosen(asked.height)).map(|(_, s)| *s).collect();
+        of.iter().sum::<f64>() / of.len() as f64
+    };
+    let [all, troughs, crests] = [mean(&|_| true), mean(&|height| height < -0.25), mean(&|height| height > 0.25)];
+    println!("mean square {all:.4}, in troughs {troughs:.3}, on crests {crests:.3}");
+    // Three deviations of the mean of a log-normal square whose logarithm has one of 0.9, and the noise's own distribution.
+    assert!((all - 1.0).abs() < 0.03, "{all}");
+    // (1 ± 0.3 z)²/1.09, z over 1: its mean there is 1.525, its square's 2.525.
+    let wanted = [-1.0, 1.0].map(|side| (1.0 + side * 0.6 * 1.525 + 0.09 * 2.525) / 1.09);
+    assert!((troughs / wanted[0] - 1.0).abs() < 0.1 && (crests / wanted[1] - 1.0).abs() < 0.1, "{wanted:?}");
+}
+
+#[test]
 fn gusts_lie_where_they_are_whatever_eye_sees_them() {
     // Nine points 30 m apart, 20 km from one eye and 2 km from the other.
     let asked = |lon: f64| {
         let at = (f64::from(1u32 << 31) * (1.0 + lon / 180.0)) as u32;
-        (0..9u32)
-            .map(|n| Asked { at: [at + n * 3_200, 2_000_000_000 + n * 700], sin_lat: 0.1, footprint: 5.0 })
-            .collect()
+        (0..9u32).map(|n| Asked::new([at + n * 3_200, 2_000_000_000 + n * 700], 0.1, 5.0, 0.0)).collect()
     };
     let asked: Vec<_> = asked(-30.0);
     let [near, far] = [-30.02, -30.2].map(|lon| gusts(lon, &asked));

@@ -25,7 +25,7 @@ const NOISE = true;
 fn drawn(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&points) { return; }
     let p = points[id.x].xyz;
-    let slopes = slopes_in(OPEN_SEA, p, length(p), 0.0);
+    let slopes = slopes_in(OPEN_SEA, p, length(p), 0.0, 1.0);
     let up = normal_delta(p);
     moved[id.x] = vec4f(displacement_in(OPEN_SEA, p, length(p), 0.0), mix_weights(length(p)).y);
     sloped[id.x] = vec4f(up.xy - slopes.slope, 1.0 + up.z, slopes.fold);

@@ -30,7 +30,7 @@ fn drawn(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&places) { return; }
     let place = places[id.x];
     let p = vec3f(place.xy, -frame.eye_altitude);
-    let slopes = slopes_in(OPEN_SEA, p, place.z, place.w);
+    let slopes = slopes_in(OPEN_SEA, p, place.z, place.w, 1.0);
     let plane = plane_of(0u);
     let triangle = lattice_triangle(plane, 0u, frame.spacings.x, in_plane(plane, p));
     let placed = placement(plane, 0u, frame.spacings.x, frame.patches.x, triangle, 0u);

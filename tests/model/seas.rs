@@ -83,6 +83,29 @@ fn every_grade_is_as_steep_as_at_sea() {
 }
 
 #[test]
+fn between_peak_and_ripples_the_usual_sea_is_as_high_as_measured() {
+    // E(ω) = α_T u* g ω⁻⁴ from 1.5 to some 3.5 times the peak's frequency (Toba 1973), α_T from 0.06 to 0.11 in the fields that
+    // Phillips (1985) lists, 0.13 in the reanalysis of JONSWAP's own data (Battjes, Zitman and Holthuijsen 1987).
+    let mut levels = Vec::new();
+    for grade in 3..=12 {
+        let speed = sea_state::speed_from_beaufort(f64::from(grade));
+        let spectrum = sea(speed, SpectrumKind::default()).spectrum();
+        let peak = TAU / spectrum.peak_period();
+        let level = |x: f64| {
+            let omega = x * peak;
+            let k = dispersion::wavenumber(omega, f64::INFINITY);
+            spectrum.omnidirectional(k) * 2.0 * omega.powi(5)
+                / (9.80665f64.powi(2) * sea_state::friction_velocity(speed))
+        };
+        println!("{grade}: {:.4} {:.4} {:.4}", level(1.6), level(2.0), level(3.1));
+        // JONSWAP's own foot, exp(-5/4 x⁻⁴), and the top of its peak are all that bends the range: 1 % from 2 to 3.1, where ω⁻⁵ loses a third.
+        assert!((level(3.1) / level(2.0) - (1.25f64 / 16.0 - 1.25 / 3.1f64.powi(4)).exp()).abs() < 1e-3, "{grade}");
+        levels.push(level(2.5));
+    }
+    assert!(levels.iter().all(|level| (0.05..0.14).contains(level)), "{levels:.3?}");
+}
+
+#[test]
 fn thirteen_grades_of_every_spectrum() {
     for kind in DRAWN {
         let calm = sea(0.0, kind);

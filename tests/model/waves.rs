@@ -180,7 +180,7 @@ fn amplitudes_keep_out_of_what_has_no_partner() {
 }
 
 /// Of the sea of 13.9 m/s, seed 7, four patches of 64 x 64.
-const HASHES: [u64; 4] = [0x936a_7085_7d5f_cbc5, 0x0daa_15f9_d174_1edd, 0xfa71_9c62_9f72_63a2, 0x46d4_cb42_3d01_1fa9];
+const HASHES: [u64; 4] = [0xeb52_94d0_2c37_be57, 0x1763_6e86_6aa6_4922, 0x6148_07fe_0e55_bcf6, 0x3ed6_8b75_ae3e_678d];
 
 #[test]
 fn the_same_sea_everywhere() {

@@ -66,7 +66,7 @@ fn the_sky_is_that_of_a_clear_day() {
 fn sea(renderer: &mut Renderer, depression: f64, hour: &str, apart: f64) -> [f64; 3] {
     let size = [160, 90];
     let (mut sum, mut count) = ([0.0; 3], 0.0);
-    for place in 0..5 {
+    for place in 0..40 {
         let lon = -30.0 + apart * f64::from(place);
         let state = format!("#view=0,{lon},15,0,{}&clouds=0&{hour}", 90.0 - depression);
         let measured =

@@ -92,7 +92,7 @@ impl Sweep {
         let heights: Vec<_> = (0..HEIGHTS).map(height_m).filter(|height| *height <= self.highest_m).collect();
         let places = |height: f64| match height {
             _ if height < FEW_FLECKS_M => PLACES,
-            _ if height < FEW_WHITECAPS_M => SOME_PLACES,
+            _ if height < FEW_WAVES_M => SOME_PLACES,
             _ => 1,
         };
         let mut sums = vec![[[DVec2::ZERO; 4]; PLACES]; heights.len()];

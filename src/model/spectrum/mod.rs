@@ -5,10 +5,12 @@
 //!
 //! Two kinds of source: [`Phillips`] and [`Elfouhaily`] are given over wave numbers; [`PiersonMoskowitz`], [`Jonswap`] and [`Tma`]
 //! are [`FrequencySpectrum`]s S(ω), which [`Directed`] brings to the plane with a [spreading](super::spreading) and the
-//! dispersion of their depth. They stand here as their sources print them; [`SlopeTrue`] gives the short waves of any of them
+//! dispersion of their depth. They stand here as their sources print them; [`Equilibrium`] gives JONSWAP the range that was measured
+//! later, and [`SlopeTrue`] gives the short waves of any of them
 //! the slopes that the sea was measured to have.
 
 mod elfouhaily;
+mod equilibrium;
 mod frequency;
 mod jonswap;
 mod phillips;
@@ -18,6 +20,7 @@ mod swell;
 mod tma;
 
 pub use elfouhaily::{Elfouhaily, WAVE_AGES};
+pub use equilibrium::{EQUILIBRIUM_START, Equilibrium};
 pub use frequency::{Directed, FrequencySpectrum};
 pub use jonswap::{Jonswap, SMALLEST_PEAK_SPEED};
 pub use phillips::{DAMPING_M, Phillips, STEEPEST_SHARE};
