@@ -2,10 +2,7 @@
 #import atmosphere
 
 const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
-// Reflectance that the bubbles below dense foam add to the water's: those that scatter back 0.015 of the light per metre, half as much as
-// in a fresh plume, over water that takes away red first.
-const PLUME_REFLECTANCE = vec3f(0.003, 0.05, 0.09);
-const THIN_FOAM_COLOUR = vec3f(0.88, 1.028, 1.08);  // a single layer of bubbles stands in the water, which takes red; its luminance is 1
+const THIN_FOAM_COLOUR = vec3f(0.94, 1.014, 1.04);  // a single layer of bubbles stands in the water, which takes red; its luminance is 1
 const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its shaded side; share of the sun's that does
 
 const STEEPEST_FOAM: f32 = 0.9;  // slope that foam lies at: it fills what waves fold

@@ -7,10 +7,10 @@ const GUST_LENGTH = 3.0;          // along the wind, of the width across it
 const GUST_DEVIATION = 0.35;      // of the logarithm of the slopes' variance
 const GUST_LEVELS = 4u;           // of the noise: widths from GUST_WIDEST on, each a quarter of the one before
 const GUST_WIDEST = 13u;          // map levels: a side over 2^13, 4.9 km at the equator
-const RIPPLE_DEVIATION = 0.45;     // of the logarithm of the slopes of ripples that are seen one by one; ours
+const RIPPLES_VARY = 0.5;         // variance of the slopes of ripples that are seen one by one, a deviation over the usual: as peaked as slopes were measured
 const RIPPLE_LEVELS = 3u;
 const RIPPLE_WIDEST = 19u;        // 76 m, so that they differ within 5 m
-const RIPPLES_ON_CRESTS = 0.3;    // how much steeper than usual they are a deviation over the mean level: long waves draw them together on crests
+const RIPPLES_ON_CRESTS = 0.4;    // share of that by the long waves, which draw ripples together on their crests
 const NOISE_DEVIATION = 0.17;     // of map_noise
 const SIDE: Metres = 40075016.7;  // of the Mercator square at the equator
 
@@ -47,9 +47,7 @@ fn gusts(point: MapPoint, sin_lat: f32, footprint: Metres) -> f32 {
 // Factor of the slopes of ripples, by gusts and by where they are on the long waves, `height` over those' significant height, a quarter of which is a
 // deviation: the mean of its square is one.
 fn ripples_at(point: MapPoint, sin_lat: f32, height: f32, footprint: Metres) -> f32 {
-    let noise = gust_noise(point, sin_lat, footprint, RIPPLE_WIDEST, RIPPLE_LEVELS);
-    let deviation = gusts_there(sin_lat) * RIPPLE_DEVIATION / sqrt(f32(RIPPLE_LEVELS));
-    let by_gusts = exp(deviation * noise.x - deviation * deviation * noise.y);
-    let by_waves = (1.0 + RIPPLES_ON_CRESTS * clamp(4.0 * height, -2.5, 2.5)) * inverseSqrt(1.0 + RIPPLES_ON_CRESTS * RIPPLES_ON_CRESTS);
-    return by_gusts * by_waves;
+    let noise = gusts_there(sin_lat) * gust_noise(point, sin_lat, footprint, RIPPLE_WIDEST, RIPPLE_LEVELS).x / sqrt(f32(RIPPLE_LEVELS));
+    let more = sqrt(1.0 - RIPPLES_ON_CRESTS) * noise + sqrt(RIPPLES_ON_CRESTS) * 4.0 * height;
+    return sqrt(1.0 + RIPPLES_VARY * clamp(more, -1.8, 1.8));
 }

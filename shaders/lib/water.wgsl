@@ -78,7 +78,7 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;
     let down = sun * max(mu_sun, 0.0) + ambient;
-    let body = (deep_reflectance(w.kind) + w.foam.plume * PLUME_REFLECTANCE) / (PI * (1.0 - fresnel_water(1.0))) * down;
+    let body = (deep_reflectance(w.kind) + w.foam.plume * plume_reflectance(w.kind)) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let way = w.bed.way * frame.water_density / USUAL_DENSITY;
     let shallow = bed_radiance(Bed(w.bed.radiance, way), w.kind, down) + body * (1.0 - left_of_way(way, w.kind));
     let through = (mix(shallow, body, smoothstep(BED_FADES, OPAQUE_ALPHA, w.alpha)) + w.glow) * (1.0 - reflectance);

@@ -11,11 +11,10 @@ const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const HEIGHTS: usize = 200;
 /// The most that the mean changes from one height to the next.
 const STEP: f64 = 0.03;
-/// Up to here, where the foam map ends, a picture holds few waves and whitecaps, and large parts of it are compared.
+/// Up to here, where the foam map ends, a picture holds few waves and whitecaps, and large parts of it are compared, over several places: the
+/// squares of the foam map have whitecaps of their own, so that those of one place come and go by up to 5 % a height while one square takes
+/// over from another, over four places by 2.5 %.
 const FEW_WAVES_M: f64 = 4_000.0;
-/// Up to here one place has a handful of whitecaps or less. The squares of the foam map have whitecaps of their own, so that those of
-/// one place come and go by up to 5 % a height while one square takes over from another: over four places by 2.5 %.
-const FEW_WHITECAPS_M: f64 = 300.0;
 /// And up to here a few cells of their lace, which is another from one factor of two in height to the next.
 const FEW_FLECKS_M: f64 = 15.0;
 /// Places below these heights.
