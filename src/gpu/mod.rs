@@ -9,7 +9,6 @@ pub mod pipeline;
 pub mod readback;
 pub mod shader;
 pub mod texture;
-#[cfg(not(target_arch = "wasm32"))]
 pub mod timing;
 
 pub use context::Gpu;
