@@ -112,18 +112,18 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
     var sea = OPEN_SEA;
     if FINE { sea = local_water(at.point, OF_LAKE); }
     sea = on_river(sea, at.ground);
-    let calmed = min(sea.height, 1.0);
-    let share = calmed * share_from_afar(0.0, 1.0, footprint);
+    let height = min(sea.height, 1.0);
+    let share = height * share_from_afar(0.0, 1.0, footprint);
     var normal = up;
     var rough = local_slopes(sea);
-    var foam = mean_foam(share, mean_dense_from(share, FINE), calmed, FINE);
+    var foam = mean_foam(share, mean_dense_from(share, FINE), height, FINE);
     if LAKES {
         let rest = surface_from_normal_delta(at.dn);
         // By the patches alone, however far the eye is.
         let seen = slopes_in(sea, rest, 0.0, footprint, 1.0);
         normal = normalize(up - vec3f(seen.slope, 0.0));
         rough = seen.rough;
-        foam = foam_of(share, usually_dense_from(share), calmed, lace_at(foam_coordinates(rest), footprint, 1, false), FINE);
+        foam = foam_of(share, usually_dense_from(share), height, lace_at(foam_coordinates(rest), footprint, 1, false), FINE);
     }
     return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
 }
@@ -159,8 +159,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         // Each place is drawn by one square alone.
         is_own &= on_ellipsoid || square_of(found.sin_lat) == in.tile.x;
         if !is_second || !found.ground.is_ocean { at = found; }
-        // Where the shore is farther away than the sight has come since, none stands before it.
-        let is_bed = found.ground.is_ocean && found.ground.ocean_shore <= found.distance - far_hit && shows_sea && !UNDER_WATER && !on_ellipsoid
+        // Where the shore is farther away than either place is from the other, none stands there; it is known to a texel.
+        let apart = abs(found.distance - far_hit) + found.ground.texel;
+        let is_bed = found.ground.is_ocean && found.ground.ocean_shore <= apart && shows_sea && !UNDER_WATER && !on_ellipsoid
             && !hides_sea(found.distance, far_hit);
         on_ellipsoid = true;
         is_second = true;

@@ -139,17 +139,19 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let depth = ocean_depth(ground, footprint, share);
     let alpha = water_alpha(depth);
     var sea = local_sea(point);
+    // Of all waves, those of shores too.
+    let height = held_share(depth, sea.height) * sea.height;
     var waves = NO_SHORE_WAVES;
     if SURF {
         waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, footprint);
         sea = left_by_trains(sea, waves.share);
     }
     var ripples = 1.0;
-    if FINE && !MEASURED { ripples = ripples_at(point, sin_lat, in.height / max(sea.height * frame.wave_height, 0.01), footprint); }
+    if WAVES && FINE && !MEASURED { ripples = ripples_at(point, sin_lat, in.height / max(height * frame.wave_height, 0.01), footprint); }
     var slopes = slopes_in(sea, rest, distance, footprint, ripples);
     slopes.rough += 0.5 * waves.hidden;
     let calmed = held_share(depth, sea.height);
-    // There are so many whitecaps, and so much film of old ones, as the waves are high: their Reynolds number counts (D. Zhao and Y. Toba 2001).
+    // There are so many whitecaps, and so much film of old ones, as waves are high: their Reynolds number counts (D. Zhao and Y. Toba 2001).
     let whitened = calmed * sea.height;
     let slope = slopes.slope * calmed + waves.slope;
     let normal = normalize(up + vec3f(-slope.x, -slope.y, 0.0));
@@ -183,11 +185,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             seen = on_folds(seen, slopes.folds, FOLDED);
             dense = dense_from(shares.y);
         }
-        foam = foam_of(shares.x, dense, whitened, seen, FINE);
+        foam = foam_of(shares.x, dense, height, seen, FINE);
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
         if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, 0.0).x); }
-        foam = mean_foam(share, mean_dense_from(share, FINE), whitened, FINE);
+        foam = mean_foam(share, mean_dense_from(share, FINE), height, FINE);
     }
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;

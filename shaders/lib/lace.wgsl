@@ -200,8 +200,8 @@ fn shown_rafts(share: f32, rafts: vec2f, fine: bool) -> vec2f {
     return mix(vec2f(1.0), rafts, vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), RAFTS_SHOW.z));
 }
 
-// Foam that the lace makes of a share, dense from a level on; `calmed` is the part of the open sea's height that depth and lee leave.
-fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> Foam {
+// Foam that the lace makes of a share, dense from a level on; `height` is what depth and lee leave of the open sea's.
+fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> Foam {
     let above = excess(share, seen.level.x);
     let film = frame.film.y;
     let deviation = inverseSqrt(seen.hidden.z + THICK_RAMP * THICK_RAMP);
@@ -210,7 +210,7 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> 
     let inside = covered(above, seen.hidden.x);
     let rafts = shown_rafts(share, seen.rafts, fine);
     let white = opacity(above, inside, seen.hidden.x, rise, thick, deviation, rafts.x, film, fine);
-    let threshold = max(normal_quantile(calmed * frame.film.x), normal_quantile(share) + FILM_AROUND);
+    let threshold = max(normal_quantile(height * frame.film.x), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
     // Within thin foam the film lies between the rafts.
     let between = mix((1.0 - RAFTS * rafts.x) / (1.0 - RAFTS), 1.0, thick);
@@ -221,8 +221,8 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> 
     let wind = wave_cells[0].wind;
     let axis_x = wave_cells[0].axis_x.xy;
     let axis_y = wave_cells[0].axis_y.xy;
-    let height = FOAM_RISE.x + FOAM_RISE.y * min(frame.wave_height, FOAM_RISE.z);
-    var tilt = height * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
+    let thickness = FOAM_RISE.x + FOAM_RISE.y * min(frame.wave_height, FOAM_RISE.z);
+    var tilt = thickness * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
     var open = 1.0;
     if fine {
         tilt += mix(BUMPS_THIN, -1.0, thick) * seen.bumps;
@@ -234,7 +234,7 @@ fn foam_of(share: f32, dense_from: f32, calmed: f32, seen: Lace, fine: bool) -> 
 
 // Foam in pixels that hide all of the lace.
 // It is foam_of where levels are hidden whole, with what is then known put in.
-fn mean_foam(share: f32, dense_from: f32, calmed: f32, fine: bool) -> Foam {
+fn mean_foam(share: f32, dense_from: f32, height: f32, fine: bool) -> Foam {
     let quantile = normal_quantile(share);
     let above = quantile * sqrt(1.0 + EDGE_RAMP * EDGE_RAMP);
     let deviation = inverseSqrt(1.0 + THICK_RAMP * THICK_RAMP);
@@ -242,7 +242,7 @@ fn mean_foam(share: f32, dense_from: f32, calmed: f32, fine: bool) -> Foam {
     let thick = normal_share(rise);
     let film = frame.film.y;
     let white = opacity(above, share, 1.0, rise, thick, deviation, 1.0, film, fine);
-    let threshold = max(normal_quantile(calmed * frame.film.x), quantile + FILM_AROUND);
+    let threshold = max(normal_quantile(height * frame.film.x), quantile + FILM_AROUND);
     let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.

@@ -25,9 +25,10 @@ fn attenuation(kind: f32) -> vec3f {
 
 // Light that the bubbles below dense foam scatter back, per metre: half as much as those of a fresh plume.
 const BUBBLES_SCATTER: f32 = 0.015;
-const PLUME_SHARE: f32 = 0.27;    // of what comes back to where it came from, that leaves the water upwards (0.5) through its surface (0.54)
+const PLUME_SHARE: f32 = 0.27;    // of that light, what leaves the water: 0.54 for its surface, 0.5 for the directions, which is ours
 
-// Reflectance that such bubbles add to the water's, which takes its colours' light away on the way: turquoise in the open ocean, in a muddy estuary none.
+// Reflectance that such bubbles add to the water's, which takes light away on the way by its `attenuation`: blue in a gyre, turquoise in the open
+// ocean, next to none in a muddy estuary.
 fn plume_reflectance(kind: f32) -> vec3f { return PLUME_SHARE * BUBBLES_SCATTER / (attenuation(kind) + BUBBLES_SCATTER); }
 
 // Level of the water tiles that tell coasts from the open sea: their distances reach 80 km at the equator.

@@ -141,7 +141,7 @@ impl LocalSea {
                 spectrum.swell.map_or(0.0, |swell| length(swell.peak_wavenumber())),
             ],
             energies: [wind, spectrum.swell.as_ref().map_or([0.0; RINGS], |swell| energies(swell))],
-            grown: fetches.map(|fetch_m| grown(sea, &tables.cascades, fetch_m, depth_m)).collect(),
+            grown: grown(sea, &tables.cascades, fetches, depth_m),
         }
     }
 
@@ -200,25 +200,29 @@ pub fn rings(cascades: &[Cascade], omnidirectional: impl Fn(f64) -> f64) -> [f64
     })
 }
 
-/// Energy in each ring of the sea over a fetch, over that of the open one: both as the usual spectrum has them. The first patches together
+/// Energy in each ring of the sea over each of some fetches, over that of the open one: both as the usual spectrum has them. The first patches together
 /// lose what the height does; the tail that the wind holds in balance is never more than the open sea's.
-fn grown(sea: &Sea, cascades: &[Cascade], fetch_m: f64, depth_m: f64) -> [f64; RINGS] {
-    let (hs_m, peak_s) = young_verhagen(sea.speed_mps, fetch_m, depth_m);
-    let open_m = sea.wind_height_m();
-    let Some(open) = sea.grown().filter(|_| hs_m < open_m) else { return [1.0; RINGS] };
-    if hs_m <= 0.0 {
-        return [0.0; RINGS];
-    }
+fn grown(sea: &Sea, cascades: &[Cascade], fetches: impl Iterator<Item = f64>, depth_m: f64) -> Vec<[f64; RINGS]> {
     let mss = cox_munk_mss(sea.speed_mps).total;
-    let of = |hs_m, peak_s| {
+    let energies = |hs_m, peak_s| {
         let frequency = Jonswap::from_height(hs_m, peak_s);
         let sea = Equilibrium::new(Directed { frequency, spreading: DonelanBanner });
         let sea = SlopeTrue::new(sea, hs_m, mss, DAMPING_M);
         rings(cascades, |k| sea.omnidirectional(k))
     };
-    let (open, grown) = (of(open_m, TAU / open.omega_p), of(hs_m, peak_s));
-    std::array::from_fn(|ring| {
-        let share = if open[ring] > 0.0 { grown[ring] / open[ring] } else { 1.0 };
-        if ring + 1 < RINGS { share } else { share.min(1.0) }
-    })
+    let open_m = sea.wind_height_m();
+    let open = sea.grown().map(|open| energies(open_m, TAU / open.omega_p));
+    let over = |fetch_m| {
+        let (hs_m, peak_s) = young_verhagen(sea.speed_mps, fetch_m, depth_m);
+        let Some(open) = open.filter(|_| hs_m < open_m) else { return [1.0; RINGS] };
+        if hs_m <= 0.0 {
+            return [0.0; RINGS];
+        }
+        let grown = energies(hs_m, peak_s);
+        std::array::from_fn(|ring| {
+            let share = if open[ring] > 0.0 { grown[ring] / open[ring] } else { 1.0 };
+            if ring + 1 < RINGS { share } else { share.min(1.0) }
+        })
+    };
+    fetches.map(over).collect()
 }

@@ -3,13 +3,14 @@
 use super::DirectionalSpectrum;
 
 /// The range begins at this many peak wave numbers: at 1.5 times the peak's frequency.
-pub const EQUILIBRIUM_START: f64 = 2.25;
+const EQUILIBRIUM_START: f64 = 2.25;
 
 /// A spectrum with Toba's equilibrium range beyond its peak: F' = F (k/2.25kp)^½ for k > 2.25 kp, F' = F before.
 ///
-/// A tail of ω⁻⁵ holds as many waves of 20 m in a breeze as in a gale. Seas were measured to have one of ω⁻⁴, which grows with the
-/// wind, from 1.5 to some 3.5 times the peak's frequency ([Toba](crate::bibliography::Toba1973),
-/// [Donelan](crate::bibliography::Donelan1985)); what lies beyond, [`SlopeTrue`](super::SlopeTrue) bends to the measured slopes.
+/// With JONSWAP's tail of ω⁻⁵ waves of 20 m have 1.8 times the energy in a gale that they have in a fresh breeze. Seas were measured to have
+/// one of ω⁻⁴ from 1.5 to some 3 times the peak's frequency ([Toba](crate::bibliography::Toba1973),
+/// [Donelan](crate::bibliography::Donelan1985)): 2.6 times. What lies beyond 3.2 times (10 kp), [`SlopeTrue`](super::SlopeTrue) bends to the
+/// measured slopes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Equilibrium<S> {
     /// A spectrum with F ∝ k⁻⁴ beyond its peak.

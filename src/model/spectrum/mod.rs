@@ -20,7 +20,7 @@ mod swell;
 mod tma;
 
 pub use elfouhaily::{Elfouhaily, WAVE_AGES};
-pub use equilibrium::{EQUILIBRIUM_START, Equilibrium};
+pub use equilibrium::Equilibrium;
 pub use frequency::{Directed, FrequencySpectrum};
 pub use jonswap::{Jonswap, SMALLEST_PEAK_SPEED};
 pub use phillips::{DAMPING_M, Phillips, STEEPEST_SHARE};

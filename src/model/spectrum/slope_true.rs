@@ -2,9 +2,9 @@
 
 use super::{DirectionalSpectrum, K_CALM, K_SHORTEST};
 
-/// The tail begins at this many peak wave numbers; below, a spectrum is its source's.
+/// The tail begins at this many peak wave numbers; below, a spectrum is its base's.
 pub const TAIL_START: f64 = 10.0;
-/// Range of the tail exponent q: from nearly no tail to a bit above Toba's.
+/// Range of the tail exponent q: from nearly no tail to one a bit above Toba's over F ∝ k⁻⁴.
 pub const TAIL_EXPONENTS: (f64, f64) = (-8.0, 0.75);
 /// Intervals below and above the start of the tail.
 const INTERVALS: usize = 192;
@@ -14,7 +14,7 @@ const INTERVALS: usize = 192;
 /// F' = c F(k) up to 10 kp and c F(k) (k/10kp)^q exp(−(k² − (10kp)²) ℓ²) beyond, q within [`TAIL_EXPONENTS`].
 ///
 /// A spectrum F ∝ k⁻⁴ has all its octaves equally steep; carried down to a centimetre that is too rough in light winds and too
-/// smooth in strong ones. q = 0 leaves F alone, q = 1/2 would be [Toba's](crate::bibliography::Toba1973) k⁻³·⁵.
+/// smooth in strong ones. q = 0 leaves F alone, over F ∝ k⁻⁴ q = 1/2 would be [Toba's](crate::bibliography::Toba1973) k⁻³·⁵.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopeTrue<S> {
     /// The spectrum as its source gives it.
