@@ -12,7 +12,8 @@
 const SPRAY = true;                     // where there is none its depth is none
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
-const MOST_LOOKS = 72u;
+const MOST_LOOKS = 160u;
+const LOOKS_UNTIRED = 60.0;             // an eye among clouds looks on for long: from then on its steps grow with the number of looks
 const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
@@ -93,18 +94,15 @@ fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
-    // Below them the air is in their shadow, among them in part.
-    let cover = cloud_cover(cloud_weather(frame.cloud_eye), frame.cloud_eye, 0.0);
-    let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
-    let clear = 1.0 - below * cover * cover;
+    let clear = air_under(cloud_cover(cloud_weather(frame.cloud_eye), frame.cloud_eye, 0.0));
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
     let stretch = layer_stretch(ray, far);
-    let length = max(stretch.y - stretch.x, 0.0);
-    let is_wide = GLOBE | (stretch.x * cloud_pixel() > WIDE_PIXEL);
-    let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.x * cloud_pixel())), 2.0, MOST_STEPS);
+    let length = max(stretch.last - stretch.first - (stretch.returns - stretch.leaves), 0.0);
+    let is_wide = GLOBE | (stretch.first * cloud_pixel() > WIDE_PIXEL);
+    let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.first * cloud_pixel())), 2.0, MOST_STEPS);
     var veil = Veil(vec3f(0.0), 1.0);
     var way = 0.0;
-    var t = stretch.x;
+    var t = stretch.first;
     var fine_left = 0u;
     var look = 0u;
     var met = 0.0;
@@ -113,7 +111,8 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
-        let step = min(select(wide, wide / FINER, is_fine), max(stretch.y - t, 0.0));
+        let tired = max(f32(look) / LOOKS_UNTIRED, 1.0);
+        let step = min(tired * select(wide, wide / FINER, is_fine), max(select(stretch.last, stretch.leaves, t < stretch.leaves) - t, 0.0));
         // Wide steps are the same for all pixels.
         let sight = t + select(0.5, 0.5 + grain, is_fine) * step;
         let at = direction * sight;
@@ -152,9 +151,10 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
         // What the step before may have missed is looked at again.
-        t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.x);
+        t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.first);
+        t = select(t, max(t, stretch.returns), t >= stretch.leaves);
         look++;
-        if t >= stretch.y || veil.through < 0.02 || step == 0.0 || look == MOST_LOOKS { break; }
+        if t >= stretch.last || veil.through < 0.02 || step == 0.0 || look == MOST_LOOKS { break; }
     }
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));

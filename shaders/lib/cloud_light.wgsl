@@ -1,6 +1,7 @@
 // What clouds do to the light of sea and land. It changes over hundreds of metres, so it is worked out at the nodes of a net over the picture
 // (cloud_light.wgsl), and pixels interpolate it.
 #import light
+#import cloud_layer
 
 const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
 const LET_THROUGH = 0.26;   // of the sun's light by closed clouds: a day under them has a quarter to a third of a clear one's light
@@ -27,12 +28,13 @@ fn in_net_of(place: vec3f, size: vec2u) -> InNet {
     return in_net(clip.xy / max(clip.w, NEAR), size);
 }
 
-// Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them.
+// Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them. The
+// air is that of the eye's own sky, as it is before the clouds: with each place's own, the far sea would not end in the haze that the sky starts in.
 fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
     let mu = max(mu_sun, 0.05);
     let cover = shadow.y;
     let diffuse = LET_THROUGH * light.sun * mu;
-    return Daylight(light.sun * shadow.x, mix(light.sky, 0.5 * light.sky + diffuse, cover), 1.0 - cover * cover, shadow.z);
+    return Daylight(light.sun * shadow.x, mix(light.sky, 0.5 * light.sky + diffuse, cover), cover, air_under(cover_at_eye()), shadow.z);
 }
 
 fn net_shadow(node: u32) -> vec3f {

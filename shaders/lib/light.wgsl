@@ -19,16 +19,16 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
     return textureSampleLevel(sky_radiance, clamped, (x * (size - 1.0) + 0.5) / size, 0.0).rgb + night_sky(mu);
 }
 
-// Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky. `air`: how far the air there is lit
-// as under a clear sky, 1, or under clouds alone, 0. `disc`: the part of the sun's irradiance that comes from its disc, the rest being what
-// clouds before it have spread: that glints of nothing.
-struct Daylight { sun: vec3f, sky: vec3f, air: f32, disc: f32 }
+// Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky. `cover`: the share of the sky
+// there that clouds cover. `air`: how far the air before the eye is lit as under a clear sky, 1, or under clouds alone, 0. `disc`: the part of the
+// sun's irradiance that comes from its disc, the rest being what clouds before it have spread: that glints of nothing.
+struct Daylight { sun: vec3f, sky: vec3f, cover: f32, air: f32, disc: f32 }
 
 fn daylight_at(mu_sun: f32) -> Daylight {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
     let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + frame.night * frame.night_ground * NIGHT_IRRADIANCE;
-    return Daylight(sun_irradiance_at(mu_sun), sky, 1.0, 1.0);
+    return Daylight(sun_irradiance_at(mu_sun), sky, 0.0, 1.0, 1.0);
 }
 
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);

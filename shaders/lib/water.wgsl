@@ -72,8 +72,7 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     // What would come from under the horizon has been mirrored before, by other water.
     mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
     var sky = sky_at_sea(mirrored, w.up);
-    // `air` is what covered clouds leave of it, see `shaded`.
-    if CLOUDS { sky = clouded_sky(sky, clear, sqrt(1.0 - light.air), w.at, dot(mirrored, w.up), w.up); }
+    if CLOUDS { sky = clouded_sky(sky, clear, light.cover, w.at, dot(mirrored, w.up), w.up); }
     let reflected = sky * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;
