@@ -42,9 +42,19 @@ fn coastal(point: MapPoint, sin_lat: f32) -> f32 {
     return 1.0 - smoothstep(0.0, 50000.0, shore);
 }
 
+// The Mediterranean, as clear as the ocean's gyres at twice their latitude (N. Jerlov 1976: types I to IB): the middle and half axes of an ellipse
+// on the Mercator square, 36.5 N and 17 E, 20 and 7.3 degrees.
+const MEDITERRANEAN = vec4f(0.5472, 0.39096, 0.0556, 0.0265);
+const MEDITERRANEAN_KIND = 0.4;    // share of the kind that its latitude alone would give
+
+fn in_mediterranean(point: MapPoint) -> f32 {
+    let off = (vec2f(point.at) / 4294967296.0 - MEDITERRANEAN.xy) / MEDITERRANEAN.zw;
+    return select(0.0, smoothstep(1.5, 1.0, dot(off, off)), point.square == MERCATOR);
+}
+
 // The kind of water at a place, within what the link allows. Without a map of chlorophyll: gyres are about 22 degrees from the equator;
-// beyond 33 water is greener, on shelves more so, and by the shore where rivers reach; warm shelves stay clear; blooms and eddies are 80 to
-// 300 km wide. All ours.
+// beyond 33 water is greener, on shelves more so, and by the shore of shelves where rivers reach; warm shelves stay clear; blooms and eddies are
+// 80 to 300 km wide, and weaker over deep water. All ours.
 fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let s = abs(sin_lat);
     let off_gyre = (s - 0.37) / 0.15;
@@ -58,6 +68,6 @@ fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
         coast = coastal(point, sin_lat);
     }
     let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, temperate)
-        + coast * mix(0.2, 0.8, temperate) + 2.0 * blooms;
-    return clamp(found, frame.water_kinds.x, frame.water_kinds.y);
+        + coast * mix(0.4, 1.0, shelf) * mix(0.2, 0.8, temperate) + mix(1.2, 2.0, shelf) * blooms;
+    return clamp(found * mix(1.0, MEDITERRANEAN_KIND, in_mediterranean(point)), frame.water_kinds.x, frame.water_kinds.y);
 }
