@@ -160,6 +160,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
     veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
+    // Where a gap shows the sky the air on this side of it is in the clouds' shadow too.
+    let near = haze(direction, stretch.first).radiance;
+    veil.radiance += veil.through * (lit_air(near, clear) - near);
     if GLOBE { return veil; }
     // Before all of them stands the spray.
     var light = daylight_at(frame.light.z);
