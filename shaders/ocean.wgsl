@@ -176,6 +176,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         var seen = lace_at(foam_at, mix(width, STREAKS_BLUR * max(width, 0.5 * max(right, down)), storm()), 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
+            shares = standing(shares, grazing);
             if SURF {
                 let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z);
                 shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf.xy);

@@ -324,6 +324,10 @@ impl Renderer {
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             stages.end(encoder, "land, sky");
+            if side.lights_bed && layers & SHOWS_LAND != 0 {
+                self.below.light_bed(encoder, kind, targets, [frame_group, surface]);
+                stages.end(encoder, "caustics");
+            }
             // Waves stand before clouds that are above the eye.
             if let Some((pass, clouds)) = clouds.filter(|(_, clouds)| !clouds.are_below) {
                 pass.draw(&mut resume(encoder, "clouds", &targets.scene), clouds.area, [frame_group, surface]);
@@ -388,6 +392,7 @@ impl Renderer {
         let targets = Targets::new(&self.gpu, frame.size, self.radiance_format, samples, &self.passes);
         let caustics = texture::view(&self.below.caustics.map);
         self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth]);
+        self.below.set_scene(&self.gpu, &targets);
         if let Some(clouds) = &mut self.clouds {
             clouds.set_scene(&targets.scene_depth);
         }

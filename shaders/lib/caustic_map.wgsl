@@ -3,8 +3,16 @@
 // is deep, on a level plane some metres below the eye, from where its pattern goes on along the sun's rays.
 #import frame
 
-const CAUSTIC_REACH: f32 = 36.0;       // metres from the eye to the map's edge
-const CAUSTIC_EVEN: f32 = 2.5;         // metres about the eye where texels are about alike; beyond they grow with the distance
+const CAUSTIC_REACH: f32 = 36.0;       // metres from an eye in the water to the map's edge
+const CAUSTIC_EVEN: f32 = 2.5;         // metres about it where texels are about alike; beyond they grow with the distance
+const CAUSTIC_LOW: Metres = 6.0;       // from so high on both grow with the altitude
+const CAUSTICS_FADE = vec2f(0.6, 1.0); // of the altitude from which an eye over the water sees none of it
+
+fn caustic_scale() -> f32 { return max(frame.eye_altitude / CAUSTIC_LOW, 1.0); }
+fn caustic_reach() -> Metres { return caustic_scale() * CAUSTIC_REACH; }
+
+// How much of it an eye sees: from high up a pixel hides it.
+fn caustics_seen() -> f32 { return smoothstep(CAUSTICS_FADE.y, CAUSTICS_FADE.x, frame.eye_altitude / CAUSTICS_HIGHEST); }
 
 // Depth of the map's place where the bed is so deep.
 fn caustic_depth(depth: Metres) -> Metres { return clamp(depth, 0.1, max(8.0, 4.0 - frame.eye_altitude)); }
@@ -14,17 +22,17 @@ fn inverse_sinh(x: vec2f) -> vec2f { return sign(x) * log(abs(x) + sqrt(x * x + 
 fn caustic_ends() -> f32 { return log(CAUSTIC_REACH / CAUSTIC_EVEN + sqrt(CAUSTIC_REACH * CAUSTIC_REACH / (CAUSTIC_EVEN * CAUSTIC_EVEN) + 1.0)); }
 
 // Coordinates in the map, -1 to 1, of a place on the bed; and back.
-fn caustic_coordinates(place: vec2f) -> vec2f { return inverse_sinh(place / CAUSTIC_EVEN) / caustic_ends(); }
+fn caustic_coordinates(place: vec2f) -> vec2f { return inverse_sinh(place / (caustic_scale() * CAUSTIC_EVEN)) / caustic_ends(); }
 
 fn caustic_place(at: vec2f) -> vec2f {
     let e = exp(abs(at) * caustic_ends());
-    return CAUSTIC_EVEN * sign(at) * 0.5 * (e - 1.0 / e);
+    return caustic_scale() * CAUSTIC_EVEN * sign(at) * 0.5 * (e - 1.0 / e);
 }
 
 // Metres of the bed by coordinates of the map, along each axis.
 fn caustic_stretch(at: vec2f) -> vec2f {
     let e = exp(abs(at) * caustic_ends());
-    return CAUSTIC_EVEN * caustic_ends() * 0.5 * (e + 1.0 / e);
+    return caustic_scale() * CAUSTIC_EVEN * caustic_ends() * 0.5 * (e + 1.0 / e);
 }
 
 // A place in the map of so many texels a side.

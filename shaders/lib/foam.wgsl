@@ -81,3 +81,14 @@ fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bo
     }
     return mix(beyond, share + open * beyond, shown);
 }
+
+// How thick the whitewater of a breaking crest is, of its length (J. Duncan 1981), and the variance of the slopes of the waves that it lies on.
+const STANDS: f32 = 0.11;
+const STANDS_ON: f32 = 0.01;
+
+// Shares as of `foam_share` as they are seen at a sine over the water, of what they are from above: young foam stands up, and hides the more of the water
+// behind it the lower the eye is.
+fn standing(shares: vec2f, sine: f32) -> vec2f {
+    let more = shares.y * STANDS * (inverseSqrt(sine * sine + STANDS_ON) - 1.0);
+    return min(shares + max(more, 0.0), vec2f(1.0));
+}

@@ -40,6 +40,8 @@ const STREAKED_IN = vec2f(0.05, 0.2);
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
 const TURNS = vec3f(1.6, 1.8, 1.6);
 const BENDS = vec3f(8.0, 4.0, 0.9);
+// Rows wind: by so many texels across the wind, over stretches of 256 and 32 m.
+const ROWS_WIND = vec2f(56.0, 10.0);
 // Young foam lies together in masses as wide as a crest breaks: parts of its variance that the widest net has in high waves, and the rows.
 const MASSES: f32 = 0.45;
 const MASSES_IN = vec2f(0.5, 5.0);   // significant wave heights at which it has none of that, and all, metres
@@ -104,11 +106,13 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
     let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
     var bent = texels;
+    var in_rows = texels;
     var nets = NETS;
     if fine {
         let far = wander(texels, 7u);
         let near = wander(texels, 5u);
         bent += BENDS.x * far + BENDS.y * near + BENDS.z * wander(texels, 3u);
+        in_rows.y += dot(ROWS_WIND, vec2f(wander(texels, 10u).y, far.x));
         nets *= exp(TURNS * vec3f(near.x, far.x, near.y));
         nets /= nets.x + nets.y + nets.z;
     }
@@ -116,7 +120,7 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     var middle = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
     let small = net(finer * vec2i(7, 2), vec2i(128, 64), bent, footprint);
     let coarse = net(finer * vec2i(3, 1), vec2i(1024, 512), bent, footprint);
-    let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), texels, footprint);
+    let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), in_rows, footprint);
     // And one of 1.57 m, for bubbles.
     var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     let streaked = STREAKED * storm();

@@ -92,8 +92,3 @@ fn bed_light(w: Underwater, way: vec2f, depth: Metres, pixel: Footprint, caustic
     let down = left * (w.sun * direct + w.sky * (0.6 + 0.4 * normal.z));
     return look.albedo / PI * down / (1.0 - MIRRORED_BACK * look.albedo * left * left);
 }
-
-// The sun's light over its mean at a place on the bed.
-fn bed_caustic(w: Underwater, map: texture_2d<f32>, way: vec2f, depth: Metres) -> f32 {
-    return caustic_at(map, way + w.to_sun.xy / max(w.to_sun.z, 0.3) * (depth - caustic_depth(depth)));
-}

@@ -111,3 +111,8 @@ fn shown_in_water(w: Underwater, radiance: vec3f) -> vec4f {
     let gain = min(exp(0.45 * w.fading * depth), vec3f(4.0, 8.0, 8.0)) * (1.0 + 0.3 * saturate(depth));
     return vec4f(radiance * gain * frame.exposure, 1.0);
 }
+
+// The sun's light over its mean at a place on the bed.
+fn bed_caustic(w: Underwater, map: texture_2d<f32>, way: vec2f, depth: Metres) -> f32 {
+    return caustic_at(map, way + w.to_sun.xy / max(w.to_sun.z, 0.3) * (depth - caustic_depth(depth)));
+}

@@ -2,6 +2,7 @@
 
 pub mod air_table;
 pub mod backdrop;
+pub mod bed_light;
 pub mod bisect;
 pub mod bloom;
 pub mod caustics;

@@ -5,6 +5,7 @@ use crate::data::sample::Sample;
 use crate::data::water::WaterClass;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
+use crate::pass::bed_light::BedLight;
 use crate::pass::caustics::Caustics;
 use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
@@ -28,11 +29,19 @@ pub(super) struct Side {
     pub(super) shows_surf: bool,
     /// Whether lakes are so near that their waves show.
     pub(super) shows_lakes: bool,
+    /// Whether an eye over the water may see light that waves gather on the bed.
+    pub(super) lights_bed: bool,
 }
 
 impl Side {
-    /// That of a frame over the ocean, or over land, with the trains of waves of a shore.
-    pub(super) fn of(frame: &Frame, place: Option<&Sample>, shore: Option<&ShoreWaves>, blends: bool) -> Self {
+    /// That of a frame over the ocean, or over land, with the trains of waves of a shore. Whether the radiance's format blends, and whether
+    /// software draws.
+    pub(super) fn of(
+        frame: &Frame,
+        place: Option<&Sample>,
+        shore: Option<&ShoreWaves>,
+        [blends, software]: [bool; 2],
+    ) -> Self {
         let depth_m = place.and_then(|place| place.depth_m);
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
         let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
@@ -43,7 +52,9 @@ impl Side {
         let is_cut = blends && frame.has_light() && over_m(None).abs() < CUT_M;
         let shows_surf = frame.shows_surf(shore_m) && !is_cut;
         let over_m = over_m(shore.filter(|_| shows_surf));
-        Self { depth_m, kind: Kind::of(frame, over_m < 0.0 && !is_cut), is_cut, shows_surf, shows_lakes }
+        let kind = Kind::of(frame, over_m < 0.0 && !is_cut);
+        let lights_bed = blends && kind.fine && !kind.under_water && frame.lights_bed(software, depth_m, shore_m);
+        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, lights_bed }
     }
 
     /// The kind of the picture from below, if there is one.
@@ -56,6 +67,8 @@ impl Side {
 /// The passes under water.
 pub(super) struct Below {
     pub(super) caustics: Caustics,
+    /// What an eye over the water sees of the caustics, where the radiance's format blends.
+    bed_light: Option<BedLight>,
     deep: Deep,
     /// Where the radiance's format blends.
     waterline: Option<Waterline>,
@@ -74,15 +87,40 @@ impl Below {
         Self {
             deep: Deep::new(gpu, frame, surface, &caustics.map, [radiance, DEPTH_FORMAT]),
             caustics,
+            bed_light: blends.then(|| BedLight::new(gpu, frame, surface, radiance)),
             waterline: blends.then(|| Waterline::new(gpu, frame, surface, radiance)),
         }
     }
 
     /// Gets ready for a picture; returns what the one from below is drawn into where the water cuts through, else `None`.
     pub(super) fn prepare(&mut self, gpu: &Gpu, side: &Side, size: [u32; 2]) -> Option<wgpu::TextureView> {
-        side.below()?;
-        self.caustics.prepare(gpu);
+        let below = side.below();
+        if side.lights_bed || below.is_some() {
+            self.caustics.prepare(gpu);
+        }
+        below?;
         self.waterline.as_mut().filter(|_| side.is_cut).map(|waterline| waterline.below(gpu, size))
+    }
+
+    /// Takes the scene that an eye over the water sees the bed in.
+    pub(super) fn set_scene(&mut self, gpu: &Gpu, targets: &Targets) {
+        if let Some(bed_light) = &mut self.bed_light {
+            bed_light.set_scene(gpu, &targets.scene_depth, &texture::view(&self.caustics.map));
+        }
+    }
+
+    /// Lights the bed of a scene with land and bed for an eye over the water. `groups` are bind groups 0 and 1.
+    pub(super) fn light_bed(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        kind: Kind,
+        targets: &Targets,
+        [frame, surface]: [&wgpu::BindGroup; 2],
+    ) {
+        if let Some(bed_light) = &self.bed_light {
+            self.caustics.draw(encoder, false, frame, surface);
+            bed_light.draw(&mut resume(encoder, "bed light", &targets.scene), kind, frame, surface);
+        }
     }
 
     /// Draws the picture from below into `into`, or what the targets hold; `sea` draws the surface. `groups` are bind groups 0 and 1.

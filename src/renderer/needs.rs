@@ -66,7 +66,8 @@ impl Renderer {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
         let place = self.world.sample_resident(lat, lon);
         let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
-        Side::of(frame, place.as_ref(), shore.as_ref(), self.radiance_format == Radiance::Half.format())
+        let blends = self.radiance_format == Radiance::Half.format();
+        Side::of(frame, place.as_ref(), shore.as_ref(), [blends, self.gpu.software])
     }
 
     /// The trains of waves of a shore at a place, where their windows are there.

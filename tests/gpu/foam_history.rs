@@ -37,7 +37,7 @@ fn spread<'a>(coarse: &'a [f32], eye: &FoamEye) -> impl Iterator<Item = (usize, 
 
 #[test]
 fn levels_on_which_the_same_waves_break_hold_the_same_foam() {
-    let sea = Sea::new(&blown(16.0));
+    let sea = Sea::new(&blown(21.0));
     let [finest, _, coarse, _] = sea.frame.whitecaps.breaking_m;
     assert!(finest == coarse && coarse > 2.5, "{finest}, {coarse}");
     let mut map = sea.own_map();

@@ -14,8 +14,8 @@ use ocean_globe::pass::kind::Kind;
 use ocean_globe::pass::land::Near;
 use ocean_globe::pass::look::Look;
 use ocean_globe::pass::{
-    air_table, backdrop, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft, foam, globe,
-    land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,
+    air_table, backdrop, bed_light, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft,
+    foam, globe, land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -71,6 +71,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         }
         all.push(("sky.wgsl", sky::source(kind)));
     }
+    all.extend(bed_light::kinds().map(|kind| ("bed_light.wgsl", bed_light::source(kind))));
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
     all.extend(spindrift::looks().map(|look| ("plumes.wgsl", spindrift::plumes_source(look))));

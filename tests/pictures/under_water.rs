@@ -100,6 +100,34 @@ fn caustics_gather_the_suns_light_and_lose_none() {
     assert_eq!(at(&format!("wind=4@90&quality=low&{NOON}")), 0.0, "nor does the quality for slow machines");
 }
 
+/// Mean of the green radiance that an eye so high over shallow water sees straight below it, and its deviation over the mean.
+fn seen_from_above(renderer: &mut Renderer, altitude_m: f64, rest: &str) -> [f64; 2] {
+    let link = format!("#view={SHALLOWS},{altitude_m},0,0&quality=high&time=2026-06-21T21:00:00Z&{rest}");
+    render::picture(renderer, &state(&link), SIZE).unwrap();
+    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let greens: Vec<f64> = bytes.chunks_exact(8).map(|pixel| half(u16::from_le_bytes([pixel[2], pixel[3]]))).collect();
+    let count = greens.len() as f64;
+    let mean = greens.iter().sum::<f64>() / count;
+    [mean, (greens.iter().map(|green| (green - mean).powi(2)).sum::<f64>() / count).sqrt() / mean]
+}
+
+#[test]
+fn an_eye_over_shallow_water_sees_the_net_of_light_on_the_bed() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let mut seen = |altitude_m: f64, rest: &str| seen_from_above(&mut renderer, altitude_m, rest);
+    let [_, plain] = seen(8.0, "wind=0@0&clouds=0");
+    let [_, net] = seen(8.0, "wind=3@90&clouds=0");
+    let [_, grey] = seen(8.0, "wind=3@90&clouds=1");
+    println!("deviations: a flat surface {plain:.3}, waves {net:.3}, waves under clouds {grey:.3}");
+    // Seagrass and, beside it, facets that glint of the sun make .24 of it. Closed clouds leave no disc of the sun.
+    assert!(net > 0.6, "a net of light: {net}");
+    assert!(grey < 1.1 * plain, "under clouds there is none: {grey}");
+    // No light is lost: 16 by 29 m of the bed have as much as under a flat surface, but for what the bed's slope of 3 % faces the sun, and the glint.
+    let [flat, waves] = ["wind=0@0&clouds=0", "wind=3@90&clouds=0"].map(|rest| seen(20.0, rest)[0]);
+    println!("means: a flat surface {flat:.4}, waves {waves:.4}");
+    assert!((waves / flat - 1.0).abs() < 0.07, "{waves} of {flat}");
+}
+
 /// Radiance along the picture's middle column of an eye in calm water that looks up, by degrees from the zenith.
 fn column(renderer: &mut Renderer, tilt_deg: f64, rest: &str) -> Vec<(f64, [f64; 3])> {
     const SIZE: [u32; 2] = [9, 361];

@@ -33,6 +33,7 @@ pub fn shared_constants() -> String {
         ("ICE_HEIGHT", clouds::ICE_M),
         ("SURF_SEEN", super::SURF_SEEN_M),
         ("SURF_HIGHEST", super::SURF_HIGHEST_M),
+        ("CAUSTICS_HIGHEST", super::CAUSTICS_HIGHEST_M),
         ("USUAL_DENSITY", crate::scene::settings::USUAL_WATER_DENSITY_PER_M),
     ];
     let bits = bits.map(|(name, bit)| format!("const {name} = {bit}u;\n"));

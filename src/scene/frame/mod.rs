@@ -87,6 +87,10 @@ pub const LENS_M: f64 = 0.2;
 /// An eye that is nearer to the surface than this, metres, sees it cut through the picture: it reaches as far as the lens in the corners of a
 /// wide picture, and the waves rise as much from there.
 pub const CUT_M: f64 = 0.3;
+/// From so high up, metres, an eye sees no net of light on the bed.
+pub const CAUSTICS_HIGHEST_M: f64 = 40.0;
+/// And none of a bed so far below the water, metres.
+const CAUSTICS_DEEPEST_M: f64 = 25.0;
 /// Surf that is farther away than this, metres, and twice the eye's height, does not show.
 pub const SURF_SEEN_M: f64 = 10_000.0;
 /// From so high up none does, metres.
@@ -194,15 +198,19 @@ impl Frame {
         if self.is_fine() && nearest_pixel_m(&self.uniform, &self.camera) < COARSE_GROUND_FROM_M { 1.0 } else { 2.0 }
     }
 
-    /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
-    /// picture does without, as triangles are few pixels wide.
-    pub fn has_smooth_edges(&self, software: bool) -> bool {
-        let wanted = match self.quality {
+    /// Whether the picture may have what a graphics card draws with ease and a software rasteriser does not.
+    fn is_rich(&self, software: bool) -> bool {
+        match self.quality {
             Quality::Auto => !software,
             Quality::Low | Quality::Medium => false,
             Quality::High | Quality::Ultra | Quality::Extreme => true,
-        };
-        wanted && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
+        }
+    }
+
+    /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
+    /// picture does without, as triangles are few pixels wide.
+    pub fn has_smooth_edges(&self, software: bool) -> bool {
+        self.is_rich(software) && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
     }
 
     /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that; by a shore, over that of the trains with as
@@ -279,6 +287,15 @@ impl Frame {
         }
         let altitude_m = self.camera.altitude_m.max(0.0);
         altitude_m < SURF_HIGHEST_M && shore_m < SURF_SEEN_M + 2.0 * altitude_m
+    }
+
+    /// Whether an eye over the water may see the net of light that waves gather on the bed, which is so deep at its foot if there is any, and so far
+    /// from a shore, both in metres. A software rasteriser takes a third of a picture's time for the net.
+    pub fn lights_bed(&self, software: bool, depth_m: Option<f64>, shore_m: f64) -> bool {
+        let is_shallow = depth_m.is_some_and(|depth_m| depth_m < CAUSTICS_DEEPEST_M);
+        let is_near = self.camera.altitude_m < CAUSTICS_HIGHEST_M && (is_shallow || shore_m < 5.0 * CAUSTICS_HIGHEST_M);
+        let is_wanted = self.is_rich(software) && self.has_light();
+        is_near && is_wanted && self.has_waves() && self.sea.sea.hs_m > 0.0 && self.uniform.light.z > 0.05
     }
 
     /// A distance that no water is nearer than, metres.

@@ -28,7 +28,7 @@ pub const TEXELS: i32 = 256;
 /// Sides of the texels, metres.
 pub const TEXELS_M: [f64; LEVELS] = [0.25, 0.75, 2.25, 6.75];
 /// Whitecaps belong to waves of some length and more, of the wind sea's longest: shorter folds are the lace's. Ours, by what photographs show.
-const BREAKING_SHARE: f64 = 0.03;
+const BREAKING_SHARE: f64 = 0.015;
 /// No foam map from above this altitude, metres: its widest level would be smaller than what is seen as a texture.
 pub const HIGHEST_M: f64 = 4_000.0;
 /// A wave cell serves the map if it is no farther from the eye's foot than the nearest and this: the blend's width, and twice as far
