@@ -1,5 +1,6 @@
 // Light that waves gather on the bed, as an eye over the water sees it: laid over the scene before the sea is, by whose surface it is seen. How much
-// brighter a pixel of the bed is than under a flat surface, which src/pass/bed_light.rs multiplies it by. `FINE` and `CLOUDS` are of src/pass/kind.rs.
+// brighter a pixel of the bed is than under a flat surface, which src/pass/bed_light.rs multiplies it by; alpha keeps it, for the sea to know the bed's
+// reflectance. `FINE` and `CLOUDS` are of src/pass/kind.rs.
 #import full_screen
 #import under_water
 
@@ -27,9 +28,9 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
             let w = underwater(daylight);
             // What has been scattered on its way shows no wave.
             let sharp = exp(-w.haze * depth / w.to_sun.z) * smoothstep(LIT_FROM, 0.4, depth) * smoothstep(LIT_DOWN_TO, 0.6 * LIT_DOWN_TO, depth);
-            let of_sun = w.sun / max(w.sun + w.sky, vec3f(1e-9));
+            let of_sun = daylight.disc * w.sun / max(w.sun + w.sky, vec3f(1e-9));
             light = mix(vec3f(1.0), vec3f(bed_caustic(w, caustics, place.xy, depth)), sharp * caustics_seen() * of_sun);
         }
     }
-    return vec4f(light, 1.0);
+    return vec4f(light, dot(light, LUMINANCE));
 }

@@ -22,7 +22,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     if GLOBE { return seen; }
     let ray = eye_ray(direction);
     let hit = surface_hit(ray);
-    let water = layer_stretch(ray, select(hit, 1e9, hit < 0.0));
+    let water = layer_stretch(ray, select(hit, 1e9, (hit < 0.0) | (frame.eye_altitude < CLOUD_BASE)));
     let shell = shell_hits(ray, ICE_HEIGHT);
     let ice = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
     let has_ice = (shell.x <= shell.y) & (ice > 0.0);
@@ -30,6 +30,9 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let stretch = select(select(vec2f(1.0, 0.0), vec2f(ice, ice + 1.0), has_ice), vec2f(water.first, water.last), water.first < water.last);
     let depth = textureLoad(scene_depth, vec2u(at), 0);
     let stands = NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3);
-    let before = saturate((stands - stretch.x) / max(stretch.y - stretch.x, 1.0));
+    // What lies below the layer of a sight that comes back to it counts as none of the way.
+    let gap = water.returns - water.leaves;
+    let way = stands - stretch.x - clamp(stands - water.leaves, 0.0, gap);
+    let before = saturate(way / max(stretch.y - stretch.x - gap, 1.0));
     return seen * select(0.0, before, stretch.x < stretch.y);
 }

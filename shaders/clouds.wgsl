@@ -5,11 +5,14 @@
 #import full_screen
 #import clouds
 #import cloud_layer
+#import cloud_light
 #import light
 #import air
 #import spray
 
 const SPRAY = true;                     // where there is none its depth is none
+const CLOUDS = true;
+const MIRRORS_CLOUDS = FINE;
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
 const MOST_LOOKS = 160u;
@@ -94,7 +97,7 @@ fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
-    let clear = air_under(cloud_cover(cloud_weather(frame.cloud_eye), frame.cloud_eye, 0.0));
+    let clear = air_under(cover_at_eye());
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.last - stretch.first - (stretch.returns - stretch.leaves), 0.0);
@@ -160,9 +163,6 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
     veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
-    // Where a gap shows the sky the air on this side of it is in the clouds' shadow too.
-    let near = haze(direction, stretch.first).radiance;
-    veil.radiance += veil.through * (lit_air(near, clear) - near);
     if GLOBE { return veil; }
     // Before all of them stands the spray.
     var light = daylight_at(frame.light.z);

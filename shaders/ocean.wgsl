@@ -28,8 +28,11 @@ const FOLDED = 0.15;           // how much the folds of short waves decide where
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
-// Radiance of the scene in a pixel.
-fn scene_radiance(pixel: vec2u) -> vec3f { return textureLoad(scene_colour, pixel, 0).rgb / max(frame.exposure, 1e-9); }
+// Radiance of the scene in a pixel, and how much more light waves have gathered there than a flat surface, of bed_light.wgsl.
+fn scene_seen(pixel: vec2u) -> vec4f {
+    let seen = textureLoad(scene_colour, pixel, 0);
+    return vec4f(seen.rgb / max(frame.exposure, 1e-9), seen.a);
+}
 
 // The pixel of the scene that shows a place on the bed: `own`, where something else stands before it, or sky. What lies beside the picture is
 // taken to be like what lies within, the farther from its rim the farther beside, but never farther than FOLDS: the rim, repeated, would be
@@ -195,11 +198,13 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow, FINE)); }
-    let behind = scene_radiance(pixel);
-    var bed = Bed(behind, 2.0 * depth);
+    let scene = scene_seen(pixel);
+    let behind = scene.rgb;
+    var bed = Bed(behind, 2.0 * depth, scene.a);
     if FINE && alpha < OPAQUE_ALPHA {
         let sight = sight_to_bed(direction, normal, up, depth);
-        bed = Bed(scene_radiance(pixel_of_bed(pixel, moved + sight)), depth + length(sight));
+        let below = scene_seen(pixel_of_bed(pixel, moved + sight));
+        bed = Bed(below.rgb, depth + length(sight), below.a);
     }
     let kind = water_kind(point, sin_lat, depth);
     var glow = vec3f(0.0);
@@ -222,7 +227,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.
         let step = select(limb.beyond, vec2f(0.0), misses);
         let beyond = clamp(vec2f(pixel) + step, vec2f(0.0), frame.viewport - 1.0);
-        radiance = mix(scene_radiance(vec2u(beyond)), radiance, limb.share);
+        radiance = mix(scene_seen(vec2u(beyond)).rgb, radiance, limb.share);
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     return measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), radiance);

@@ -1,7 +1,19 @@
 // The sky behind everything. `MEASURED` is of src/pass/kind.rs.
 #import full_screen
 #import sky
+#import cloud_layer
+#import cloud_light
 #import output
+
+const MIRRORS_CLOUDS = FINE;
+
+// Light of the air of a sight of the sky as far as it is below the layer of clouds.
+fn air_below_clouds(direction: vec3f) -> vec3f {
+    let stretch = layer_stretch(eye_ray(direction), 1e9);
+    let returns = haze(direction, stretch.returns).radiance - haze(direction, stretch.leaves).radiance;
+    let first = haze(direction, stretch.first).radiance;
+    return select(select(vec3f(0.0), returns, stretch.returns > stretch.leaves), first, frame.eye_altitude < CLOUD_BASE);
+}
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
@@ -13,5 +25,11 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         discard;
         return vec4f(0.0);
     }
-    return vec4f(sky_light(direction) * frame.exposure, 1.0);
+    var radiance = sky_light(direction);
+    if CLOUDS {
+        // Where a gap shows the sky the air on this side of the clouds is in their shadow, as it is before them.
+        let near = air_below_clouds(direction) * exp(-spray_before_sky(direction.z));
+        radiance += lit_air(near, air_under(cover_at_eye())) - near;
+    }
+    return vec4f(radiance * frame.exposure, 1.0);
 }

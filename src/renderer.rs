@@ -324,8 +324,8 @@ impl Renderer {
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             stages.end(encoder, "land, sky");
-            if side.lights_bed && layers & SHOWS_LAND != 0 {
-                self.below.light_bed(encoder, kind, targets, [frame_group, surface]);
+            if side.lights_bed && layers & SHOWS_LAND != 0 && layers & SHOWS_SEA != 0 {
+                self.below.light_bed(encoder, &side, targets, [frame_group, surface]);
                 stages.end(encoder, "caustics");
             }
             // Waves stand before clouds that are above the eye.
@@ -457,7 +457,7 @@ impl Renderer {
         &self.gpu
     }
 
-    /// The map of caustics of the last frame whose eye was in the water, see `shaders/lib/caustic_map.wgsl`.
+    /// The map of caustics of the last frame that showed any, see `shaders/lib/caustic_map.wgsl`.
     pub fn caustics(&self) -> &wgpu::Texture {
         &self.below.caustics.map
     }

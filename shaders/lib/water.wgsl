@@ -24,6 +24,7 @@ fn along_wind(up: vec3f) -> vec3f {
 struct Bed {
     radiance: vec3f,       // of the dry bed in the same light
     way: Metres,           // of the light: straight down to it, and up along the sight
+    gathered: f32,         // how much more light waves have sent there than a flat surface
 }
 
 // The way of a sight below the surface to a bed at a depth.
@@ -41,7 +42,7 @@ fn left_of_way(way: Metres, kind: f32) -> vec3f { return exp(-attenuation(kind) 
 // Radiance below the surface of a bed, over what the water's index of refraction takes: wet, with the light that has been sent back to it.
 fn bed_radiance(bed: Bed, kind: f32, down: vec3f) -> vec3f {
     let lit = bed.radiance * left_of_way(bed.way, kind);
-    return lit * (1.0 - MIRRORED_BACK) / (1.0 - MIRRORED_BACK * saturate(PI * lit / max(down, vec3f(1e-12))));
+    return lit * (1.0 - MIRRORED_BACK) / (1.0 - MIRRORED_BACK * saturate(PI * lit / (max(bed.gathered, 0.01) * max(down, vec3f(1e-12)))));
 }
 
 struct WaterPoint {
@@ -79,7 +80,7 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     let down = sun * max(mu_sun, 0.0) + ambient;
     let body = (deep_reflectance(w.kind) + w.foam.plume * plume_reflectance(w.kind)) / (PI * (1.0 - fresnel_water(1.0))) * down;
     let way = w.bed.way * frame.water_density / USUAL_DENSITY;
-    let shallow = bed_radiance(Bed(w.bed.radiance, way), w.kind, down) + body * (1.0 - left_of_way(way, w.kind));
+    let shallow = bed_radiance(Bed(w.bed.radiance, way, w.bed.gathered), w.kind, down) + body * (1.0 - left_of_way(way, w.kind));
     let through = (mix(shallow, body, smoothstep(BED_FADES, OPAQUE_ALPHA, w.alpha)) + w.glow) * (1.0 - reflectance);
     // Where all else outshines the mean of the facets single ones do not stand out.
     let standing_out = smoothstep(STANDS_OUT.x, STANDS_OUT.y, glints.g / max(reflected.g + through.g, 1e-9));

@@ -39,8 +39,8 @@ impl BedLight {
         };
         let target = wgpu::ColorTargetState {
             format,
-            blend: Some(wgpu::BlendState { color: product, alpha: wgpu::BlendComponent::OVER }),
-            write_mask: wgpu::ColorWrites::COLOR,
+            blend: Some(wgpu::BlendState { color: product, alpha: product }),
+            write_mask: wgpu::ColorWrites::ALL,
         };
         let groups = [frame, surface, &layout];
         let pipeline = |kind| gpu.drawing("bed light", (&source(kind), "vertex"), &groups, &[], target.clone(), None);

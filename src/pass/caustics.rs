@@ -1,4 +1,4 @@
-//! Light that the waves gather on the bed about an eye in the water: a net of sun rays, drawn where it meets the bed.
+//! Light that the waves gather on the bed about an eye: a net of sun rays, drawn where it meets the bed.
 
 use super::kind::Kind;
 use crate::gpu::drawing::{Colour, begin};
@@ -16,10 +16,33 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R16Float;
 /// Samples of a texel: many triangles are narrower than texels.
 const SAMPLES: u32 = 4;
 
-/// The composed shader.
-pub fn source() -> String {
-    let kind = Kind { fine: true, under_water: true, ..Kind::default() }.definitions();
-    let definitions = format!("{kind}const WAVES = true;\nconst NOISE = false;\nconst CAUSTIC_CELLS = {CELLS}.0;\n");
+/// Whose the light on the bed is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rays {
+    /// A flat surface's.
+    Even,
+    /// That of an eye in the water.
+    InWater,
+    /// That of an eye over the water.
+    FromAbove {
+        /// Whether there are shores with surf.
+        surf: bool,
+    },
+}
+
+impl Rays {
+    /// Those that need a shader.
+    pub const DRAWN: [Self; 3] = [Self::InWater, Self::FromAbove { surf: false }, Self::FromAbove { surf: true }];
+}
+
+/// The composed shader of one of [`Rays::DRAWN`].
+pub fn source(rays: Rays) -> String {
+    let above = rays != Rays::InWater;
+    let surf = rays == Rays::FromAbove { surf: true };
+    let kind = Kind { fine: true, under_water: !above, ..Kind::default() }.definitions();
+    let flags = [("WAVES", true), ("NOISE", false), ("ABOVE", above), ("SURF", surf)];
+    let flags = flags.map(|(name, value)| format!("const {name} = {value};\n")).concat();
+    let definitions = format!("{kind}{flags}const CAUSTIC_CELLS = {CELLS}.0;\n");
     shader::composed(include_str!("../../shaders/caustics.wgsl"), &definitions)
 }
 
@@ -32,8 +55,9 @@ struct Net {
 
 /// The pass and its map.
 pub struct Caustics {
-    pipeline: Drawing,
-    /// Made when an eye is first in the water.
+    /// One of each of [`Rays::DRAWN`].
+    pipelines: [Drawing; 3],
+    /// Made when an eye first sees any.
     net: Option<Net>,
     /// Irradiance of the bed by the sun over that under a flat surface; `shaders/lib/caustic_map.wgsl` knows where its texels lie.
     pub map: wgpu::Texture,
@@ -65,16 +89,13 @@ impl Caustics {
             write_mask: wgpu::ColorWrites::RED,
         };
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let groups = [frame, surface];
+        let pipeline = |rays| {
+            let grid = std::slice::from_ref(&grid);
+            gpu.drawing_smooth("caustics", (&source(rays), "vertex"), &groups, grid, target.clone(), None, SAMPLES)
+        };
         Self {
-            pipeline: gpu.drawing_smooth(
-                "caustics",
-                (&source(), "vertex"),
-                &[frame, surface],
-                &[grid],
-                target,
-                None,
-                SAMPLES,
-            ),
+            pipelines: Rays::DRAWN.map(pipeline),
             net: None,
             map: gpu.texture("caustics", Shape::picture(TEXELS, TEXELS), FORMAT, usage),
         }
@@ -94,22 +115,23 @@ impl Caustics {
         });
     }
 
-    /// Draws the map: `even` is that of a flat surface.
+    /// Draws the map.
     pub fn draw(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        even: bool,
+        rays: Rays,
         frame: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
     ) {
         let map = texture::view(&self.map);
-        let Some(Net { vertices, indices, samples }) = self.net.as_ref().filter(|_| !even) else {
+        let pipeline = Rays::DRAWN.iter().position(|drawn| *drawn == rays).map(|index| &self.pipelines[index]);
+        let Some((pipeline, Net { vertices, indices, samples })) = pipeline.zip(self.net.as_ref()) else {
             drop(begin(encoder, "caustics", &map, wgpu::Color::WHITE, None));
             return;
         };
         let colour = Colour { view: samples, mean: Some(&map) };
         let mut pass = begin(encoder, "caustics", colour, wgpu::Color::TRANSPARENT, None);
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, surface, &[]);
         pass.set_vertex_buffer(0, vertices.slice(..));

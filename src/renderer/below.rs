@@ -6,7 +6,7 @@ use crate::data::water::WaterClass;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::pass::bed_light::BedLight;
-use crate::pass::caustics::Caustics;
+use crate::pass::caustics::{Caustics, Rays};
 use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
@@ -113,13 +113,14 @@ impl Below {
     pub(super) fn light_bed(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        kind: Kind,
+        side: &Side,
         targets: &Targets,
         [frame, surface]: [&wgpu::BindGroup; 2],
     ) {
         if let Some(bed_light) = &self.bed_light {
-            self.caustics.draw(encoder, false, frame, surface);
-            bed_light.draw(&mut resume(encoder, "bed light", &targets.scene), kind, frame, surface);
+            let rays = Rays::FromAbove { surf: side.shows_surf };
+            self.caustics.draw(encoder, rays, frame, surface);
+            bed_light.draw(&mut resume(encoder, "bed light", &targets.scene), side.kind, frame, surface);
         }
     }
 
@@ -134,7 +135,8 @@ impl Below {
         sea: impl FnOnce(&mut wgpu::RenderPass),
     ) {
         let is_even = !frame.is_fine() || frame.sea.sea.hs_m == 0.0;
-        self.caustics.draw(encoder, is_even, frame_group, surface);
+        let rays = if is_even { Rays::Even } else { Rays::InWater };
+        self.caustics.draw(encoder, rays, frame_group, surface);
         {
             let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "deep", &targets.scene, clear, depth);

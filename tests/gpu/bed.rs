@@ -22,7 +22,7 @@ fn see(@builtin(global_invocation_id) id: vec3u) {
     let a = asked[id.x];
     sights[id.x] = vec4f(sight_to_bed(a.direction, a.normal, vec3f(0.0, 0.0, 1.0), a.depth), 0.0);
     let down = vec3f(2.0, 1.0, 0.5);
-    lights[id.x] = vec4f(bed_radiance(Bed(a.albedo * down / PI, a.way), a.kind, down), 0.0);
+    lights[id.x] = vec4f(bed_radiance(Bed(a.albedo * down / PI, a.way, 1.0), a.kind, down), 0.0);
 }";
 
 #[repr(C)]

@@ -47,7 +47,7 @@ fn levels_on_which_the_same_waves_break_hold_the_same_foam() {
         spread(&coarse, &sea.frame.foam_eye).map(|(at, coarse)| (fine[at], coarse as f32)).unzip();
     let alike = correlation(&fine, &coarse);
     println!("{alike:.4}");
-    // Between the coarse level's texels foam is interpolated over 2.25 m, from crests that are filtered over 3.7 m.
+    // Between the coarse level's texels foam is interpolated over 2.25 m, from crests that are filtered over 2.8 m.
     assert!(alike > 0.9, "{alike}");
 }
 

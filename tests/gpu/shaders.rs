@@ -35,7 +35,6 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("blit.wgsl", blit::source(false)),
         ("blit.wgsl", blit::source(true)),
         ("pane.wgsl", pane::source(panel::ground_colour(), false)),
-        ("caustics.wgsl", caustics::source()),
         ("waterline.wgsl", waterline::source()),
         ("city_lights.wgsl", city_lights::source(false)),
         ("city_lights.wgsl", city_lights::source(true)),
@@ -71,6 +70,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         }
         all.push(("sky.wgsl", sky::source(kind)));
     }
+    all.extend(caustics::Rays::DRAWN.map(|rays| ("caustics.wgsl", caustics::source(rays))));
     all.extend(bed_light::kinds().map(|kind| ("bed_light.wgsl", bed_light::source(kind))));
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
     all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));

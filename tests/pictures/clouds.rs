@@ -150,3 +150,45 @@ fn closed_clouds_reflect_what_clouds_do() {
     // An optical depth t gives t / (t + 7.7): 0.44 and 0.72 for the depths of 6 and 20 between which most closed water clouds lie.
     assert!(brightness.iter().all(|share| (0.44..0.72).contains(share)), "{brightness:?}");
 }
+
+#[test]
+fn the_far_sea_ends_in_the_haze_that_the_sky_under_clouds_starts_in() {
+    const SIZE: [u32; 2] = [160, 360];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    for view in [
+        "58.9,5.4,300,250,80&bft=8&clouds=0.5&time=2026-10-03T12:00:00Z",
+        "40,-40,200,160,80&bft=5&clouds=0.7&time=2026-03-03T10:00:00Z",
+    ] {
+        let pixels = picture(&mut renderer, &format!("#view={view}"), SIZE);
+        // The horizon stands 10 degrees less its dip over the picture's middle.
+        let altitude_m: f64 = view.split(',').nth(2).unwrap().parse().unwrap();
+        let over = 10f64.to_radians() - (2.0 * altitude_m / 6.371e6).sqrt();
+        let horizon = (180.0 * (1.0 - over.tan() / 22.5f64.to_radians().tan())) as usize;
+        for part in 0..4 {
+            let row = |y: usize| {
+                let first = 4 * (y * 160 + 40 * part) + 1;
+                pixels[first..].iter().step_by(4).take(40).map(|green| f64::from(*green)).sum::<f64>() / 40.0
+            };
+            let rows: Vec<f64> = (horizon - 5..horizon + 5).map(row).collect();
+            let step = rows.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+            println!("{view} {part}: {rows:.0?}");
+            // Over the horizon the air fades over some 20 rows; a sea in another light than the sky's ends in a step of a tenth.
+            assert!(step < 6.0, "{view}, part {part}: {step} of 255 from row to row in {rows:?}");
+        }
+    }
+}
+
+#[test]
+fn an_eye_among_clouds_sees_those_behind_the_ones_about_it() {
+    const SIZE: [u32; 2] = [320, 180];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let link = "#view=-16.5,-151.75,1500,30,70&bft=5&clouds=0.3&time=2026-08-03T22:00:00Z";
+    let pixels = picture(&mut renderer, link, SIZE);
+    // From 1 to 5 degrees below the horizontal a sight is 7 to 34 km in the layer: at three tenths of cover it meets a cloud all but always, the more
+    // so as clouds are as high as they are wide.
+    let rows = &pixels[4 * 320 * 10..4 * 320 * 24];
+    let white = rows.chunks_exact(4).filter(|pixel| i32::from(pixel[2]) - i32::from(pixel[0]) < 15).count();
+    let share = white as f64 / (rows.len() / 4) as f64;
+    println!("clouds over {share:.2} of the rows");
+    assert!(share > 0.85, "{share}");
+}

@@ -89,8 +89,8 @@ pub const LENS_M: f64 = 0.2;
 pub const CUT_M: f64 = 0.3;
 /// From so high up, metres, an eye sees no net of light on the bed.
 pub const CAUSTICS_HIGHEST_M: f64 = 40.0;
-/// And none of a bed so far below the water, metres.
-const CAUSTICS_DEEPEST_M: f64 = 25.0;
+/// And none where the bed at its foot is so far below the water, metres, and no shore near: no bed about it is taken to be shallow.
+const CAUSTICS_DEEPEST_M: f64 = 40.0;
 /// Surf that is farther away than this, metres, and twice the eye's height, does not show.
 pub const SURF_SEEN_M: f64 = 10_000.0;
 /// From so high up none does, metres.
