@@ -23,12 +23,7 @@ pub struct BedLight {
 
 impl BedLight {
     /// The pass over a colour of `format`, which blends; `frame` and `surface` are the layouts of bind groups 0 and 1.
-    pub fn new(
-        gpu: &Gpu,
-        frame: &wgpu::BindGroupLayout,
-        surface: &wgpu::BindGroupLayout,
-        format: wgpu::TextureFormat,
-    ) -> Self {
+    pub fn new(gpu: &Gpu, [frame, surface]: [&wgpu::BindGroupLayout; 2], format: wgpu::TextureFormat) -> Self {
         let binds = [Bind::Depth, Bind::Texels(wgpu::TextureViewDimension::D2)];
         let layout = gpu.layout("bed light", wgpu::ShaderStages::FRAGMENT, &binds);
         // What is there times what the shader returns.

@@ -87,7 +87,7 @@ impl Below {
         Self {
             deep: Deep::new(gpu, frame, surface, &caustics.map, [radiance, DEPTH_FORMAT]),
             caustics,
-            bed_light: blends.then(|| BedLight::new(gpu, frame, surface, radiance)),
+            bed_light: blends.then(|| BedLight::new(gpu, [frame, surface], radiance)),
             waterline: blends.then(|| Waterline::new(gpu, frame, surface, radiance)),
         }
     }
