@@ -324,7 +324,7 @@ impl Renderer {
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
             stages.end(encoder, "land, sky");
-            if side.lights_bed && layers & SHOWS_LAND != 0 && layers & SHOWS_SEA != 0 {
+            if side.lights_bed {
                 self.below.light_bed(encoder, &side, targets, [frame_group, surface]);
                 stages.end(encoder, "caustics");
             }

@@ -1,6 +1,6 @@
 // Where the map of caustics lies: a square about the foot of the eye on the bed, whose texels are finest in the middle. Its ways are
 // level, metres east and north of the eye. The map holds the irradiance by the sun over that under a flat surface: on the bed, or where that
-// is deep, on a level plane some metres below the eye, from where its pattern goes on along the sun's rays.
+// is deep, on a level plane some metres below the surface or an eye in the water, from where its pattern goes on along the sun's rays.
 #import frame
 
 const CAUSTIC_REACH: f32 = 36.0;       // metres from an eye in the water to the map's edge

@@ -294,7 +294,8 @@ impl Frame {
     pub fn lights_bed(&self, software: bool, depth_m: Option<f64>, shore_m: f64) -> bool {
         let is_shallow = depth_m.is_some_and(|depth_m| depth_m < CAUSTICS_DEEPEST_M);
         let is_near = self.camera.altitude_m < CAUSTICS_HIGHEST_M && (is_shallow || shore_m < 5.0 * CAUSTICS_HIGHEST_M);
-        let is_wanted = self.is_rich(software) && self.has_light();
+        let both = SHOWS_LAND | SHOWS_SEA;
+        let is_wanted = self.is_rich(software) && self.has_light() && self.uniform.layers & both == both;
         is_near && is_wanted && self.has_waves() && self.sea.sea.hs_m > 0.0 && self.uniform.light.z > 0.05
     }
 
