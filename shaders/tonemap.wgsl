@@ -49,7 +49,7 @@ fn displayed(radiance: vec3f) -> vec3f {
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2u(position.xy);
-    let radiance = with_glow(textureLoad(scene, pixel, 0).rgb, position.xy / vec2f(textureDimensions(scene)));
+    let radiance = through_lens(scene, vec2i(pixel));
     let noise = f32(hash(vec3u(pixel, 0u)) >> 8u) / 16777216.0 - 0.5;
     return vec4f(displayed(radiance) + noise / 255.0, 1.0);
 }

@@ -1,23 +1,23 @@
-//! Scene radiance and its glow to display colours: the last pass, into whatever target the caller has.
+//! Scene radiance, as a lens has it, to display colours: the last pass, into whatever target the caller has.
 
 use crate::gpu::full_screen::FullScreen;
 use crate::gpu::pipeline::Bind;
 use crate::gpu::{Gpu, shader};
 use crate::model::daylight;
 
-/// The composed shader, with a glow or without.
-pub fn source(glow: bool) -> String {
-    let import = if glow { "#import glow\n" } else { "#import no_glow\n" };
+/// The composed shader, with what a lens does to the picture or without.
+pub fn source(lens: bool) -> String {
+    let import = if lens { "#import lens\n" } else { "#import no_lens\n" };
     let [r, g, b] = daylight::BALANCE;
     let balance = format!("const BALANCE = vec3f({r}, {g}, {b});\n");
     shader::composed(&(import.to_owned() + include_str!("../../shaders/tonemap.wgsl")), &balance)
 }
 
-/// The pass into a target of `format`, which takes display (gamma) values. It reads the scene's radiance and, with a glow, that and a
+/// The pass into a target of `format`, which takes display (gamma) values. It reads the scene's radiance and, with a lens, its glow and a
 /// sampler.
-pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat, glow: bool) -> FullScreen {
+pub fn pass(gpu: &Gpu, format: wgpu::TextureFormat, lens: bool) -> FullScreen {
     use wgpu::TextureViewDimension::D2;
     let binds = [Bind::Texels(D2), Bind::Texture(D2), Bind::Sampler];
-    let binds = if glow { &binds[..] } else { &binds[..1] };
-    FullScreen::new(gpu, "tonemap", &source(glow), binds, format, None)
+    let binds = if lens { &binds[..] } else { &binds[..1] };
+    FullScreen::new(gpu, "tonemap", &source(lens), binds, format, None)
 }

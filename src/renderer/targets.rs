@@ -37,9 +37,9 @@ pub(super) struct Passes {
     /// With one sample of a pixel, and with [`SAMPLES`].
     backdrops: [FullScreen; 2],
     bloom: Bloom,
-    /// The tone without a glow.
+    /// The tone alone.
     plain: FullScreen,
-    /// And with one.
+    /// And through a lens, which glows.
     glowing: FullScreen,
 }
 
@@ -59,7 +59,7 @@ impl Passes {
         self.backdrops[usize::from(targets.samples.is_some())].draw(pass, &targets.backdrop);
     }
 
-    /// From radiance to the display, with a glow if that is asked for.
+    /// From radiance to the display, through a lens, which glows, if that is asked for.
     pub(super) fn draw_tone(
         &self,
         encoder: &mut wgpu::CommandEncoder,
@@ -78,7 +78,7 @@ impl Passes {
 
 /// The textures whose size is the picture's.
 pub(super) struct Targets {
-    /// What the backdrop reads, and the tone without a glow and with one.
+    /// What the backdrop reads, and the tone alone and with a lens.
     pub(super) backdrop: wgpu::BindGroup,
     pub(super) plain: wgpu::BindGroup,
     /// `None` for measurements.

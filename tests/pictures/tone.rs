@@ -114,3 +114,45 @@ fn the_display_has_the_tone_of_agx() {
         println!("{view}: exposure {:.2}, darkest pixel {darkest}", frame.uniform.exposure);
     }
 }
+
+/// Radiance of a pixel's surroundings as a camera has it there: a tenth on either side.
+fn spread(scene: &[[f64; 3]], [width, height]: [usize; 2], pixel: usize) -> [f64; 3] {
+    let (x, y) = (pixel % width, pixel / width);
+    let parts = [0.1, 0.8, 0.1];
+    let mut sum = [0.0; 3];
+    for (j, down) in parts.iter().enumerate() {
+        for (i, right) in parts.iter().enumerate() {
+            let beside = [(x + i).clamp(1, width) - 1, (y + j).clamp(1, height) - 1];
+            for (part, light) in sum.iter_mut().zip(scene[beside[1] * width + beside[0]]) {
+                *part += right * down * light;
+            }
+        }
+    }
+    sum
+}
+
+#[test]
+fn a_lens_spreads_the_points_of_the_sun_on_the_water() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let size = [160, 90];
+    let link = format!("#view=0,-30,8,270,80&clouds=0&bft=4&quality=medium&rate=0&{}", with_sun_at(30.0));
+    let state = render::parse_state(&link).unwrap();
+    let (_, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();
+    let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
+    let scene = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let value = |texel: &[u8], part: usize| half::f16::from_le_bytes([texel[2 * part], texel[2 * part + 1]]).to_f64();
+    let scene: Vec<[f64; 3]> = scene.chunks_exact(8).map(|t| std::array::from_fn(|part| value(t, part))).collect();
+    let mut lit = 0;
+    for (pixel, rgba) in bytes.chunks_exact(4).enumerate() {
+        let shown = spread(&scene, size.map(|side| side as usize), pixel);
+        // The glow adds to what is left of that: no less is shown, but for a step of noise and rounding.
+        let least = 255.0 * luminance(displayed(shown.map(|part| 0.97 * part)));
+        let byte = luminance(std::array::from_fn(|part| f64::from(rgba[part])));
+        assert!(byte > least - 1.1, "{pixel}: {byte} of {least}");
+        let alone = 255.0 * luminance(displayed(scene[pixel]));
+        lit += usize::from(byte > alone + 40.0);
+    }
+    println!("{lit} pixels are much lighter for the points beside them");
+    // The glow alone, which is even over many pixels, makes none so.
+    assert!(lit > 40, "{lit}");
+}
