@@ -193,7 +193,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     // From below them clouds go on below the horizon as they are on it, for the pixels of the whole picture that are just above it.
     let is_open_below = (SCALE > 1.0) & (frame.eye_altitude < CLOUD_BASE);
-    let horizon = OVER_HORIZON - sqrt(2.0 * max(frame.eye_altitude, 0.0) / frame.semi_minor);
+    let horizon = OVER_HORIZON - sqrt(2.0 * max(frame.eye_altitude, 0.0) / SEMI_MINOR);
     direction = select(direction, normalize(vec3f(direction.xy, max(direction.z, horizon))), is_open_below);
     let ray = eye_ray(direction);
     let hit = surface_hit(ray);

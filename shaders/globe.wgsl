@@ -22,7 +22,7 @@ const LIMB_PIXELS = 1.5;       // that pixels which the limb crosses reach beyon
 // A disc across the nadir that covers the ellipsoid and its limb.
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    let to_middle = frame.semi_minor + frame.eye_altitude;
+    let to_middle = SEMI_MINOR + frame.eye_altitude;
     let tilt = asin(min(frame.semi_major / to_middle, 1.0)) + FLATTENING_REACH + LIMB_PIXELS * frame.pixel_angle;
     // Below the horizon in pictures of a few pixels, too.
     let reach = tan(min(tilt, 1.5)) / cos(PI / f32(RIM));

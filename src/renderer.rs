@@ -65,6 +65,8 @@ pub struct Renderer {
     streaming: Streaming,
     tiles: WorldTiles,
     frame_group: FrameGroup,
+    /// The same with the block of the lake around the eye.
+    lake_group: FrameGroup,
     air_table: AirTable,
     sky_table: SkyTable,
     sky_view: SkyView,
@@ -115,7 +117,7 @@ impl Renderer {
     fn build(gpu: Gpu, world: World, radiance: wgpu::TextureFormat) -> Self {
         let tiles = WorldTiles::new(&gpu);
         let (atlases, pages) = tiles.bindings();
-        let frame_group = FrameGroup::new(&gpu, &atlases, pages);
+        let [frame_group, lake_group] = [(); 2].map(|()| FrameGroup::new(&gpu, &atlases, pages));
         let frame = &frame_group.layout;
         let air_table = AirTable::new(&gpu, frame);
         let sky_table = SkyTable::new(&gpu, frame, &air_table.layout);
@@ -145,6 +147,7 @@ impl Renderer {
             streaming: Streaming::default(),
             tiles,
             frame_group,
+            lake_group,
             air_table,
             sky_table,
             sky_view,
@@ -218,13 +221,16 @@ impl Renderer {
             for kind in [Some(kind), side.below()].into_iter().flatten() {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
             }
+            if side.has_lake {
+                self.ocean.prepare(&self.gpu, settings::Mesh::Grid, Look::of_lake(kind), samples);
+            }
             if let Some(spindrift) = self.spindrift.as_mut().filter(|_| shows_spindrift) {
                 spindrift.prepare(&self.gpu, look, samples);
             }
             // Coarse tiles are far ones.
             let shows_beaches = side.shows_surf && kind.shows_lakes();
             let beach = |id| shows_beaches && has_beach(id, &self.streaming);
-            let near = if side.shows_lakes {
+            let near = if side.shows_lakes && !side.is_over_lake {
                 Near::Lakes
             } else if nearest_pixel_m(&frame.camera, frame.size, tiles, &self.streaming) < GROWTH_M {
                 Near::Growth
@@ -335,7 +341,13 @@ impl Renderer {
             }
             let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            self.draw_sea(&mut pass, frame, look, targets.samples());
+            if side.shows_ocean {
+                self.draw_sea(&mut pass, frame, look, targets.samples());
+            }
+            if let Some(lake) = frame.lake.as_ref().filter(|_| side.has_lake) {
+                let lake = (&lake.uniform, Look::of_lake(kind), targets.samples());
+                self.ocean.draw(&mut pass, lake, &self.lake_group.group, surface, None);
+            }
             self.passes.draw_backdrop(&mut pass, targets);
             if let Some(spindrift) = spindrift {
                 spindrift.draw(&mut pass, targets.samples(), [frame_group, surface]);
@@ -367,7 +379,7 @@ impl Renderer {
             return;
         }
         let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
-        self.ocean.draw(pass, (frame, look, samples), frame_group, surface, self.mesh.drawn());
+        self.ocean.draw(pass, (&frame.uniform, look, samples), frame_group, surface, self.mesh.drawn());
     }
 
     /// Hands the frame to the GPU. Returns where its eye is.
@@ -375,7 +387,11 @@ impl Renderer {
         let side = self.side(frame);
         let deepest = self.streaming.pages.deepest();
         let water = (side.depth_m.unwrap_or(0.0), side.is_cut);
-        self.frame_group.upload(&self.gpu, frame, self.resolution_m(), deepest, water);
+        let world = (self.resolution_m(), deepest);
+        self.frame_group.upload(&self.gpu, (&frame.uniform, &frame.wave_cells), world, water);
+        if let Some(lake) = frame.lake.as_ref().filter(|_| side.has_lake) {
+            self.lake_group.upload(&self.gpu, (&lake.uniform, &lake.wave_cells), world, (0.0, false));
+        }
         side
     }
 

@@ -7,9 +7,17 @@
 
 struct Air { radiance: vec3f, transmittance: vec3f }
 
+// The ray as it meets the ellipsoid itself, whose air it is, whatever the level of the water.
+fn air_ray(direction: vec3f) -> Ray {
+    let lift = frame.water_level;
+    let column = vec3f(frame.quadric_mixed.yz, frame.quadric_diagonal.z);
+    let gradient = frame.quadric_gradient + lift * column;
+    return ray_coefficients(direction, gradient, frame.quadric_constant + lift * (frame.quadric_gradient.z + gradient.z));
+}
+
 // The air before a surface at `distance` from the eye.
 fn haze(direction: vec3f, distance: Metres) -> Air {
-    let ray = eye_ray(direction);
+    let ray = air_ray(direction);
     let bearing = bearing_of(direction, air_axes());
     let below = bearing.mu < floor_cosine(ray);
     let reach = haze_reach(ray, below);

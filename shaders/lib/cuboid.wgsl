@@ -81,6 +81,6 @@ fn in_view(reach: Reach, shift: Metres) -> bool {
     let crests = 0.5 * frame.crest_height + sqrt(frame.crest_height * frame.quadric_constant);
     let over = frame.quadric_constant + dot(frame.quadric_gradient, reach.centre);
     // A sphere on the surface is as deep as it is wide, but what it holds leans against the plane by its distance alone.
-    let lean = min((length(reach.centre) + radius) / frame.semi_minor, 1.0);
+    let lean = min((length(reach.centre) + radius) / SEMI_MINOR, 1.0);
     return over > -(length(frame.quadric_gradient) * radius * lean + crests);
 }

@@ -67,7 +67,7 @@ fn sin_lat_delta(dn: vec3f) -> f32 {
 // The point of the ellipsoid whose normal differs by `dn` from that of the eye's foot; local metres.
 fn surface_from_normal_delta(dn: vec3f) -> vec3f {
     let a2 = frame.semi_major * frame.semi_major;
-    let flat2 = a2 - frame.semi_minor * frame.semi_minor;
+    let flat2 = a2 - SEMI_MINOR * SEMI_MINOR;
     let pole = vec3f(0.0, frame.cos_lat, frame.sin_lat);
     let ds = sin_lat_delta(dn);
     let s = frame.sin_lat + ds;

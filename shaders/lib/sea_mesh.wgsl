@@ -1,5 +1,5 @@
-// Where the sea's vertices are, of either mesh: on the ellipsoid, moved by the waves along its normal. Who imports this declares
-// `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES` and `SURF`, as ocean.wgsl does.
+// Where the water's vertices are, of either mesh: on the ellipsoid, or as far over it as a lake, moved by the waves along its normal. Who imports this
+// declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as ocean.wgsl does.
 #import projected_grid
 #import bisected_mesh
 #import world
@@ -9,6 +9,9 @@
 
 const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some pixels long
 const STEP_BEYOND: Metres = 2.0;
+
+// Depth of a lake, which no data tell, as far as waves feel it. Of rivers there is none.
+fn depth_in_lake(ground: Ground) -> Metres { return select(max(LAKE_BED * ground.lake_shore, 0.0), 0.0, ground.by_river); }
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
 // `sea` is what the trains of a shore leave of the waves there, `rise` what they add; `is_ocean` is asked where there are waves.
@@ -24,7 +27,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
     var is_ocean = false;
     if (frame.wave_height > 0.0) & !waves_are_pixels(distance) {
         let point = map_point(up - vec3f(0.0, 0.0, 1.0));
-        sea = local_sea(point);
+        sea = local_water(point, select(OF_OCEAN, OF_LAKE, LAKE));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
         is_ocean = ground.is_ocean;
         if SURF {
@@ -32,7 +35,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
             sea = left_by_trains(sea, waves.share);
             rise = waves.rise;
         }
-        allowed = held_share(-ground.elevation, sea.height);
+        allowed = held_share(select(-ground.elevation, depth_in_lake(ground), LAKE), sea.height);
         moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, distance, spacing);
     }
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise, is_ocean);

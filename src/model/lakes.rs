@@ -37,6 +37,9 @@ pub const SHORE_RISES: [f64; 2] = [0.01, 2.0];
 /// Share of a lake's margin from which on less and less is taken for its shore.
 pub const OF_MARGIN: f64 = 0.7;
 
+/// How steeply beds of lakes fall from their shores, as far as waves feel them: no data tell their depths; ours.
+pub const BED_SLOPE: f64 = 0.05;
+
 macro_rules! lakes {
     ($($name:literal $level:literal $depth:literal $margin:ident $($box:expr),+;)+) => {
         /// The table. Levels of lakes that people or the years move are round numbers of the last decades

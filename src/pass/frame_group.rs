@@ -4,7 +4,7 @@ use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::model::wave_domain::MAX_CELLS;
 use crate::scene::frame::uniform::WaveCell;
-use crate::scene::frame::{Frame, FrameUniform, LENS_M};
+use crate::scene::frame::{FrameUniform, LENS_M};
 
 /// The group, its layout, and the buffers behind it.
 pub struct FrameGroup {
@@ -60,7 +60,7 @@ impl FrameGroup {
         Self { layout, group, block_layout, block_group, uniform, wave_cells }
     }
 
-    /// Hands the frame to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
+    /// Hands a frame's block and wave cells to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
     /// of the maps' page tables ([`PageTable::deepest`]), how deep the sea is
     /// at the eye's place, metres, and whether the water may cut through the picture.
     ///
@@ -68,9 +68,8 @@ impl FrameGroup {
     pub fn upload(
         &self,
         gpu: &Gpu,
-        frame: &Frame,
-        terrain_resolution_m: f64,
-        deepest_pages: u32,
+        (block, wave_cells): (&FrameUniform, &[WaveCell; MAX_CELLS]),
+        (terrain_resolution_m, deepest_pages): (f64, u32),
         (depth_m, is_cut): (f64, bool),
     ) {
         let uniform = FrameUniform {
@@ -78,9 +77,9 @@ impl FrameGroup {
             deepest_pages,
             eye_depth: depth_m as f32,
             lens: if is_cut { LENS_M as f32 } else { 0.0 },
-            ..frame.uniform
+            ..*block
         };
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
-        gpu.queue.write_buffer(&self.wave_cells, 0, bytemuck::cast_slice(&frame.wave_cells));
+        gpu.queue.write_buffer(&self.wave_cells, 0, bytemuck::cast_slice(wave_cells));
     }
 }

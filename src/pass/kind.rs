@@ -52,9 +52,14 @@ impl Kind {
         self.definitions() + &format!("const IMAGERY: bool = {imagery};\n")
     }
 
-    /// Whether waves of lakes may show in such pictures.
+    /// Whether lakes may have waves in such pictures.
+    pub fn has_lakes(self) -> bool {
+        self.fine && !self.under_water
+    }
+
+    /// Whether these may show on the land's own surface.
     pub fn shows_lakes(self) -> bool {
-        !self.measured && !self.under_water && self.fine
+        self.has_lakes() && !self.measured
     }
 
     /// What a shader is told.

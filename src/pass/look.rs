@@ -16,30 +16,39 @@ pub struct Look {
     pub foam: bool,
     /// Shores may be so near that their surf shows.
     pub surf: bool,
+    /// It is a lake's surface, not the sea's.
+    pub lake: bool,
 }
 
 impl Look {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        Kind::all().flat_map(|kind| {
+        let lakes = Kind::all().filter(|kind| kind.has_lakes()).map(Self::of_lake);
+        let seas = Kind::all().flat_map(|kind| {
             let looks = if kind.shows_surf() { 16 } else { 8 };
             (0..looks).map(move |bits: u8| {
                 let [waves, noise, foam, surf] = [1, 2, 4, 8].map(|bit| bits & bit != 0);
-                Self { kind, waves, noise, foam, surf }
+                Self { kind, waves, noise, foam, surf, lake: false }
             })
-        })
+        });
+        seas.chain(lakes)
     }
 
     /// That of a frame of some kind, with shores nearby or without.
     pub fn of(frame: &Frame, kind: Kind, shows_surf: bool) -> Self {
         let surf = shows_surf && kind.shows_surf();
-        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf }
+        Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf, lake: false }
+    }
+
+    /// That of a lake with waves.
+    pub fn of_lake(kind: Kind) -> Self {
+        Self { kind, waves: true, noise: false, foam: true, surf: false, lake: true }
     }
 
     /// What shaders of the sea's mesh are told.
     pub fn definitions(self) -> String {
-        let Self { kind, waves, noise, surf, .. } = self;
-        let shown = [("WAVES", waves), ("NOISE", noise), ("SURF", surf)];
+        let Self { kind, waves, noise, surf, lake, .. } = self;
+        let shown = [("WAVES", waves), ("NOISE", noise), ("SURF", surf), ("LAKE", lake)];
         kind.definitions() + &shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat()
     }
 }

@@ -1,4 +1,5 @@
-//! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left.
+//! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left; and a lake, by
+//! the same grid on a surface that is higher.
 
 use std::collections::HashMap;
 
@@ -6,12 +7,14 @@ use super::look::Look;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
-use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
 /// The composed shader.
 pub fn source(look: Look) -> String {
+    if look.lake {
+        return shader::composed(include_str!("../../shaders/lake.wgsl"), &look.definitions());
+    }
     let foam = format!("const FOAM: bool = {};\n", look.foam);
     shader::composed(include_str!("../../shaders/ocean.wgsl"), &(look.definitions() + &foam))
 }
@@ -148,11 +151,11 @@ impl Ocean {
         [self.cells.map(|n| n + 1).iter().product(), self.index_count / 3]
     }
 
-    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `frame_group` holds the frame's block.
+    /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `frame_group` holds the frame's `block`.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
-        (frame, look, samples): (&Frame, Look, u32),
+        (block, look, samples): (&FrameUniform, Look, u32),
         frame_group: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
@@ -171,10 +174,6 @@ impl Ocean {
         }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(
-            0..6 * self.cells[0] * rows_to_draw(&frame.uniform, self.cells[1], look.kind.under_water),
-            0,
-            0..1,
-        );
+        pass.draw_indexed(0..6 * self.cells[0] * rows_to_draw(block, self.cells[1], look.kind.under_water), 0, 0..1);
     }
 }

@@ -5,6 +5,7 @@ use crate::data::sample::Sample;
 use crate::data::water::WaterClass;
 use crate::gpu::drawing::{begin, resume};
 use crate::gpu::{Gpu, texture};
+use crate::model::earth::WGS84;
 use crate::pass::bed_light::BedLight;
 use crate::pass::caustics::{Caustics, Rays};
 use crate::pass::deep::Deep;
@@ -29,9 +30,21 @@ pub(super) struct Side {
     pub(super) shows_surf: bool,
     /// Whether lakes are so near that their waves show.
     pub(super) shows_lakes: bool,
+    /// Whether the lake around the eye has a mesh of its own.
+    pub(super) has_lake: bool,
+    /// And whether the eye is over that water.
+    pub(super) is_over_lake: bool,
+    /// Whether any of the ocean may be seen: not from far inland.
+    pub(super) shows_ocean: bool,
     /// Whether an eye over the water may see light that waves gather on the bed.
     pub(super) lights_bed: bool,
 }
+
+/// An eye sees no ocean whose shore is farther away than this many times the ellipsoid's horizon, and metres: coarse tiles tell distances to a few
+/// kilometres.
+const INLAND: f64 = 1.5;
+/// See [`INLAND`].
+const INLAND_M: f64 = 50_000.0;
 
 impl Side {
     /// That of a frame over the ocean, or over land, with the trains of waves of a shore. Whether the radiance's format blends, and whether
@@ -54,7 +67,11 @@ impl Side {
         let over_m = over_m(shore.filter(|_| shows_surf));
         let kind = Kind::of(frame, over_m < 0.0 && !is_cut);
         let lights_bed = blends && kind.fine && !kind.under_water && frame.lights_bed(software, depth_m, shore_m);
-        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, lights_bed }
+        let has_lake = shows_lakes && kind.has_lakes() && frame.lake.is_some();
+        let is_over_lake = has_lake && place.is_some_and(|place| place.lake.is_some());
+        let inland_m = place.and_then(|place| place.shore_distance_m).map_or(0.0, |shore_m| -shore_m);
+        let shows_ocean = inland_m < INLAND * WGS84.horizon_distance(frame.camera.altitude_m.max(0.0)) + INLAND_M;
+        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, has_lake, is_over_lake, shows_ocean, lights_bed }
     }
 
     /// The kind of the picture from below, if there is one.

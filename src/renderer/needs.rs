@@ -2,6 +2,7 @@
 
 use super::below::Side;
 use super::{Radiance, Renderer};
+use crate::data::exposure::Water;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
 use crate::model::optics::opaque_depth_m;
@@ -83,7 +84,13 @@ impl Renderer {
         let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
             return self.seas.eye(state, unix_seconds);
         };
-        let Some(depth_m) = place.depth_m else { return above_ground(&asked, place.elevation_m) };
+        let Some(depth_m) = place.depth_m else {
+            // Over a lake whose surface is drawn, over its crests.
+            let sea = self.seas.drawn(&state.settings);
+            let hs_m = self.seas.shelter.hs_m(&sea, Water::Lake, asked.lat, asked.lon);
+            let crest_m = place.lake.map_or(0.0, |_| sea.crest_m() * hs_m / sea.sea.hs_m.max(1e-3));
+            return above_ground(&asked, place.elevation_m + crest_m);
+        };
         let ridden = self.seas.eye(state, unix_seconds);
         let crest_m = self.seas.drawn(&state.settings).crest_m();
         let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {

@@ -9,6 +9,7 @@ use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
 use crate::data::world::{Look, World};
 use crate::error::{Error, Result};
+use crate::model::lakes;
 use crate::model::sheltered_sea::RINGS;
 use crate::model::spectrum::DirectionalSpectrum;
 use crate::model::waves;
@@ -94,6 +95,7 @@ impl MeasuredPlaces {
         object["surface"] = Value::Null;
         let tables = self.seas.tables(&state.settings);
         let height_m = |gains| Value::from(tables.height_gain(gains) * tables.sea.hs_m);
+        let mut surface = None;
         if let Some(depth_m) = sample.depth_m {
             let Some(gains) = self.gains(world, state, (Water::Ocean, lat, lon), look)? else { return Ok(None) };
             let has_trains = sample.shallows().is_some() && state.settings.quality != Quality::Low;
@@ -104,6 +106,19 @@ impl MeasuredPlaces {
             let ticks = waves::ticks_from_unix(*unix_seconds);
             let shore = trains.and_then(|shallows| self.shores.waves_at((lat, lon), shallows, ticks));
             let found = self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore);
+            surface = Some((found, gains));
+        }
+        if sample.class == WaterClass::Lake {
+            let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
+            object["lake_hs_m"] = height_m(gains);
+            // Where the level is known the surface is drawn.
+            if sample.lake.is_some() {
+                let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
+                let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
+                surface = Some((SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves }, gains));
+            }
+        }
+        if let Some((found, gains)) = surface {
             let over_rest_m = found.height_m - state.settings.datum.rest_m(lat, lon);
             let mut surface = serde_json::to_value(found).map_err(json)?;
             // What `sampleSurface` tells, which knows no land.
@@ -117,10 +132,6 @@ impl MeasuredPlaces {
             surface["gains"] = gains.to_vec().into();
             surface["tp_s"] = tables.sea.spectrum().peak_period().into();
             object["surface"] = surface;
-        }
-        if sample.class == WaterClass::Lake {
-            let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
-            object["lake_hs_m"] = height_m(gains);
         }
         object["lat_deg"] = (*lat_deg).into();
         object["lng_deg"] = ((lng_deg + 180.0).rem_euclid(360.0) - 180.0).into();

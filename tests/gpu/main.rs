@@ -21,6 +21,7 @@ mod furnace;
 mod glitter;
 mod gusts;
 mod kernel;
+mod lake;
 mod modes;
 mod plants;
 mod pool;

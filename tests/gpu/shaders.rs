@@ -73,7 +73,7 @@ pub fn all() -> Vec<(&'static str, String)> {
     all.extend(caustics::Rays::DRAWN.map(|rays| ("caustics.wgsl", caustics::source(rays))));
     all.extend(bed_light::kinds().map(|kind| ("bed_light.wgsl", bed_light::source(kind))));
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
-    all.extend(Look::all().map(|look| ("ocean.wgsl", ocean::source(look))));
+    all.extend(Look::all().map(|look| (if look.lake { "lake.wgsl" } else { "ocean.wgsl" }, ocean::source(look))));
     all.extend(spindrift::looks().map(|look| ("plumes.wgsl", spindrift::plumes_source(look))));
     all.extend(transforms);
     all

@@ -1,6 +1,7 @@
 //! Numbers that the CPU and the shaders must agree on, as WGSL constants: each stands once, in Rust, where it is explained.
 
 use super::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
+use crate::model::earth::WGS84;
 use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea, spray};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
@@ -24,11 +25,13 @@ pub fn shared_constants() -> String {
         ("LAKE_SHORE", lakes::SHORE_M),
         ("LAKE_OF_MARGIN", lakes::OF_MARGIN),
         ("RIVER_MARGIN", lakes::RIVER_MARGIN_M),
+        ("LAKE_BED", lakes::BED_SLOPE),
         ("LAKE_RISE", lakes::SHORE_RISES[0]),
         ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),
         ("FOAM_HIGHEST", foam::HIGHEST_M),
         ("SPRAY_LEAST_HEIGHT", spray::LEAST_HEIGHT_M),
         ("TOP", super::rim::AIR_M),
+        ("SEMI_MINOR", WGS84.b),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),
         ("SURF_SEEN", super::SURF_SEEN_M),

@@ -1,5 +1,6 @@
 //! One frame as the GPU sees it. The only place that narrows positions: the eye is subtracted in f64, then f32 begins.
 
+use std::iter;
 use std::sync::Arc;
 
 use glam::DMat3;
@@ -7,11 +8,10 @@ use glam::DMat3;
 use crate::data::exposure::Water;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::MAX_CELLS;
-use crate::model::{earth, moon, waves};
+use crate::model::{earth, lakes, moon, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
-use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::shores::ShoreWaves;
 use crate::scene::sea::surface_sample::allowed_by_depth;
 use crate::scene::settings::{FoamRule, Mesh, Quality, Settings};
@@ -71,7 +71,18 @@ pub struct Frame {
     pub bisection: Option<Bisection>,
     /// The block for the GPU.
     pub uniform: FrameUniform,
+    /// And what the surface of the lake around the eye is drawn with, where pixels show its waves.
+    pub lake: Option<Lake>,
     /// The wave cells around the eye.
+    pub wave_cells: [WaveCell; MAX_CELLS],
+}
+
+/// The block and the wave cells for a lake's surface.
+#[derive(Clone, Debug)]
+pub struct Lake {
+    /// Whose ellipsoid is the lake's level.
+    pub uniform: FrameUniform,
+    /// The cells about an eye that is as high over the ellipsoid as over the lake: waves are functions of places on the ellipsoid.
     pub wave_cells: [WaveCell; MAX_CELLS],
 }
 
@@ -157,14 +168,14 @@ impl Frame {
         // In a trough the eye may be below the ellipsoid and over the water.
         let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
         let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
-        let local_height_m =
-            sea.sea.hs_m * sea.height_gain(of_patches(seas.shelter.around(Water::Ocean, camera.lat, camera.lon)));
+        let local_height_m = seas.shelter.hs_m(&sea, Water::Ocean, camera.lat, camera.lon);
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);
         let foam_lifetime_s = water::set_foam(&mut uniform, wanted, camera, &whitecaps, &foam_eye);
         uniform.clock = waves::ticks_from_unix(unix_seconds) as u32;
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
+        let lake = lake(&uniform, seas, &sea, settings, camera);
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
         Self {
             camera: *camera,
@@ -184,6 +195,7 @@ impl Frame {
             quality: settings.quality,
             bisection,
             uniform,
+            lake,
             wave_cells,
         }
     }
@@ -224,14 +236,22 @@ impl Frame {
 
     /// The same frame, reporting a measured layer instead of the picture.
     pub fn measuring(mut self, output: Output) -> Self {
-        self.uniform.output = output as u32;
+        for block in self.blocks() {
+            block.output = output as u32;
+        }
         self
     }
 
     /// The same frame without the Perlin field: the patches make the waves at any distance. For measurements.
     pub fn without_noise(mut self) -> Self {
-        (self.uniform.mix_near, self.uniform.mix_far) = (NEVER_M, 2.0 * NEVER_M);
+        for block in self.blocks() {
+            (block.mix_near, block.mix_far) = (NEVER_M, 2.0 * NEVER_M);
+        }
         self
+    }
+
+    fn blocks(&mut self) -> impl Iterator<Item = &mut FrameUniform> {
+        iter::once(&mut self.uniform).chain(self.lake.as_mut().map(|lake| &mut lake.uniform))
     }
 
     /// Whether light is seen, and with it foam and air: measured layers tell of shapes and places alone.
@@ -320,4 +340,22 @@ impl Frame {
     pub fn ticks(&self) -> u64 {
         waves::ticks_from_unix(self.unix_seconds)
     }
+}
+
+/// What is drawn of the lake around an eye over it, with `sea`'s waves as land lets them grow there, if it is one whose level is known and they are no
+/// smaller than its nearest pixels.
+fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, camera: &Camera) -> Option<Lake> {
+    let level_m = lakes::at(camera.lat, camera.lon)?.level_m;
+    let over_m = camera.altitude_m - level_m;
+    let hs_m = seas.shelter.hs_m(sea, Water::Lake, camera.lat, camera.lon);
+    // As long as a crest is a quarter of a pixel.
+    if over_m <= 0.0 || over_m * f64::from(u.pixel_angle) >= 4.0 * hs_m {
+        return None;
+    }
+    let mut uniform = *u;
+    place::set_water_level(&mut uniform, camera, level_m, hs_m, sea.sea.chop);
+    let lowered = Camera { altitude_m: over_m, ..*camera };
+    let (wave_cells, count, _) = wave_cells::around(&uniform, settings, &lowered, sea);
+    uniform.wave_cell_count = count;
+    Some(Lake { uniform, wave_cells })
 }

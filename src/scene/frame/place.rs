@@ -48,7 +48,6 @@ pub fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     u.eye_altitude = h as f32;
     u.air_sink = -libm::expm1(-h.max(0.0) / AIR_HEIGHT_M) as f32;
     u.semi_major = a as f32;
-    u.semi_minor = b as f32;
     u.quadric_diagonal = DVec3::new(q.x_axis.x, q.y_axis.y, q.z_axis.z).as_vec3();
     u.quadric_mixed = DVec3::new(q.y_axis.x, q.z_axis.x, q.z_axis.y).as_vec3();
     u.quadric_constant = constant_at(h) as f32;
@@ -62,6 +61,15 @@ pub fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     u.sin_lat = sin as f32;
     u.cos_lat = cos as f32;
     u.foot_nu = nu as f32;
+}
+
+/// The earth as far as the water goes whose surface is so high over the ellipsoid, with waves as high as `hs_m`, metres both: an ellipsoid about it
+/// with the same normals. Distances on it are true to a part of 6e-4 at the level of the highest lake.
+pub fn set_water_level(u: &mut FrameUniform, camera: &Camera, level_m: f64, hs_m: f64, chop: f64) {
+    // The air is that of the ellipsoid.
+    let (air_sink, crest_height) = (u.air_sink, u.crest_height);
+    set_earth(u, &Camera { altitude_m: camera.altitude_m - level_m, ..*camera }, hs_m, chop);
+    (u.air_sink, u.crest_height, u.water_level) = (air_sink, crest_height, level_m as f32);
 }
 
 /// The reference points of the three map squares: the eye's foot where the square holds it, else its nearest anchor.

@@ -132,8 +132,8 @@ gpu_struct! {
         semi_major: f32 = "Metres",
         /// Ray forward.
         ray_forward: Vec3 = "vec3f",
-        /// Semi minor.
-        semi_minor: f32 = "Metres",
+        /// Of the water that a mesh is of, over the ellipsoid: 0, or a lake's.
+        water_level: f32 = "Metres",
         /// The ellipsoid as a quadric about the eye: F(P) = C + 2 g.P + P'QP in metres; F = 0 on it, F ~ height near it.
         quadric_diagonal: Vec3 = "vec3f",
         /// Quadric constant.

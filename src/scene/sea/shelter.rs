@@ -243,6 +243,11 @@ impl Shelter {
         [1.0; RINGS]
     }
 
+    /// Significant height of a sea's waves on a water there, m, as far as that is known.
+    pub fn hs_m(&self, sea: &SeaTables, water: Water, lat: f64, lon: f64) -> f64 {
+        sea.sea.hs_m * sea.height_gain(of_patches(self.around(water, lat, lon)))
+    }
+
     /// The gains of a water at a place whatever the eye sees; `None` while a tile that `look` asks for is on its way.
     pub fn at(
         &mut self,

@@ -1,0 +1,93 @@
+// The lake around the eye, by the sea's grid on a surface at its level (src/scene/frame/place.rs), over the land pass's, which draws it flat. Other
+// lakes, and this one from where its waves are smaller than pixels, are the land's alone, with the same light.
+#import sea_mesh
+#import inland
+#import lace
+#import gusts
+#import spray
+#import translucence
+#import output
+
+@group(2) @binding(0) var scene_colour: texture_2d<f32>;
+@group(2) @binding(1) var scene_depth: texture_depth_2d;
+
+const MIRRORS_CLOUDS = FINE;
+const SAME_LEVEL: Metres = 0.5;    // of two places of one lake
+const CRESTS_GLOW = vec2f(100.0, 300.0);   // as in ocean.wgsl
+
+struct Vertex {
+    @builtin(position) position: vec4f,
+    @location(0) rest: vec3f,          // on the level surface
+    @location(1) moved: vec3f,
+    @location(2) height: f32,          // over it
+    @location(3) ahead: vec2f,         // `beyond`
+    @location(5) shadow: vec3f,        // of clouds, `shadow_of_vertex`
+    @location(6) grid: vec3f,          // `grid_at`
+}
+
+@vertex
+fn vertex_of_grid(@location(0) on_grid: vec2f) -> Vertex {
+    let place = place_on_grid(on_grid);
+    let dn = normal_delta(place.rest);
+    let grid = grid_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), max(length(place.rest) * frame.pixel_angle, 1.0));
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place),
+        shadow_of_vertex(place.rest, FINE), grid);
+}
+
+@fragment
+fn fragment(in: Vertex) -> @location(0) vec4f {
+    var distance = length(in.moved);
+    let direction = in.moved / max(distance, 1e-3);
+    let is_chord = waves_are_pixels(distance);
+    let level_hit = surface_hit(eye_ray(direction));
+    var rest = in.rest;
+    if is_chord {
+        distance = level_hit;
+        rest = direction * level_hit;
+    }
+    // The land's own surface of the lake lies at its level, before the troughs of the waves.
+    let ahead = dot(direction, frame.ray_forward);
+    let nearest = ahead * select(distance, min(distance, level_hit), level_hit >= 0.0);
+    let pixel = vec2u(in.position.xy);
+    if distance < 0.0 || textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > NEAR {
+        discard;
+        return vec4f(0.0);
+    }
+
+    let dn = normal_delta(rest);
+    let up = dn + vec3f(0.0, 0.0, 1.0);
+    let sin_lat = frame.sin_lat + sin_lat_delta(dn);
+    let across = distance * frame.pixel_angle;
+    let grazing = max(abs(dot(direction, up)), 0.002);
+    let footprint = across / sqrt(grazing);
+    let point = map_point(dn);
+    let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
+    let share = inland_share(ground, footprint);
+    if share <= 0.0 || ground.by_river || abs(lake_at(point).x - frame.water_level) > SAME_LEVEL {
+        discard;
+        return vec4f(0.0);
+    }
+
+    let sea = local_water(point, OF_LAKE);
+    let calmed = held_share(depth_in_lake(ground), sea.height);
+    var ripples = 1.0;
+    if !MEASURED { ripples = ripples_at(point, sin_lat, in.height / max(sea.height * frame.wave_height, 0.01), footprint); }
+    // By the patches alone, as on the land's own surface.
+    let slopes = slopes_in(sea, rest, 0.0, footprint, ripples);
+    let normal = normalize(up - vec3f(calmed * slopes.slope, 0.0));
+    let height = min(sea.height, 1.0);
+    let foam_at = foam_coordinates(rest);
+    let covered = calmed * height * share_from_afar(in.height, sea.height, footprint);
+    let foam = foam_of(covered, dense_from(usual_young(covered)), height, lace_at(foam_at, footprint, 1, true), true);
+    let clear = daylight_at(dot(frame.light, up));
+    var light = clear;
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow, FINE)); }
+    var water = inland_water(rest, ground, direction, up, normal, slopes.rough, foam);
+    water.facets = facets_at(foam_at, across, grazing);
+    let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
+    water.glow = near * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
+    let radiance = through_air(water_radiance(water, light, clear), light, up, direction, distance);
+    let seen = mix(textureLoad(scene_colour, pixel, 0).rgb, radiance * frame.exposure, share);
+    if !MEASURED { return vec4f(seen, 1.0); }
+    return measured_output(Measured(rest, distance, 0.0, 0.0, frame.water_level + in.height, normal, water_class(ground), 0.0, vec3f(0.0)), radiance);
+}
