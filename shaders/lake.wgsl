@@ -6,6 +6,7 @@
 #import gusts
 #import spray
 #import translucence
+#import crest_pixels
 #import output
 
 @group(2) @binding(0) var scene_colour: texture_2d<f32>;
@@ -36,6 +37,8 @@ fn vertex_of_grid(@location(0) on_grid: vec2f) -> Vertex {
 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
+    // Of the water at rest in the pixel.
+    let area = length(dpdx(in.rest)) * length(dpdy(in.rest));
     var distance = length(in.moved);
     let direction = in.moved / max(distance, 1e-3);
     let is_chord = waves_are_pixels(distance);
@@ -59,7 +62,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     let across = distance * frame.pixel_angle;
     let grazing = max(abs(dot(direction, up)), 0.002);
-    let footprint = across / sqrt(grazing);
+    var footprint = across / sqrt(grazing);
+    if !MEASURED && !is_chord { footprint = behind_crest(footprint, area); }
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     let share = inland_share(ground, footprint);
@@ -78,7 +82,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let height = min(sea.height, 1.0);
     let foam_at = foam_coordinates(rest);
     let covered = calmed * height * share_from_afar(in.height, sea.height, footprint);
-    let foam = foam_of(covered, dense_from(usual_young(covered)), height, lace_at(foam_at, footprint, 1, true), true);
+    let seen = on_folds(lace_at(foam_at, faced_by_wave(footprint, area) * footprint, 1, true), slopes.folds, FOLDED);
+    let foam = foam_of(covered, dense_from(usual_young(covered)), height, seen, true);
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
     if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow, FINE)); }
@@ -87,7 +92,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
     water.glow = near * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
     let radiance = through_air(water_radiance(water, light, clear), light, up, direction, distance);
-    let seen = mix(textureLoad(scene_colour, pixel, 0).rgb, radiance * frame.exposure, share);
-    if !MEASURED { return vec4f(seen, 1.0); }
+    let shown = mix(textureLoad(scene_colour, pixel, 0).rgb, radiance * frame.exposure, share);
+    if !MEASURED { return vec4f(shown, 1.0); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, frame.water_level + in.height, normal, water_class(ground), 0.0, vec3f(0.0)), radiance);
 }

@@ -6,6 +6,7 @@
 #import sea_mesh
 #import lace
 #import limb
+#import crest_pixels
 #import gusts
 #import shore_pixels
 #import water
@@ -20,11 +21,9 @@
 
 const MIRRORS_CLOUDS = FINE;
 const FARTHEST_SURFACE: Metres = 1000.0;
-const FLATTEST = 50.0;         // how much more water a pixel may show on the back of a crest than on level water
 const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
 const STREAKS_BLUR = 1.4;      // how much wider pixels are to storms' foam than to other: the finest of its streaks would be rows of dots
-const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
 const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
@@ -127,8 +126,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var footprint = across / sqrt(grazing);
     // From below the water is a mirror that turns twice as far as its slopes: as long as the pixel is along it, no slope must stand alone there.
     if UNDER_WATER { footprint = across * clamp(MIRROR_PIXELS * right * down / (across * across), 1.0, LONGEST); }
-    // The backs of crests are seen flatter than level water. All that they add to a pixel's area is along it.
-    if !MEASURED && !is_chord && !UNDER_WATER { footprint *= pow(clamp(right * down / (footprint * footprint), 1.0, FLATTEST), 0.75); }
+    if !MEASURED && !is_chord && !UNDER_WATER { footprint = behind_crest(footprint, right * down); }
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     // Pixels that the shore crosses show sea by its share of them.
@@ -168,8 +166,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     let foam_at = foam_coordinates(rest);
     // Edges of foam are the sharpest lines of the sea: for them the pixel is nearly as wide as it is long over grazed water.
-    // A face that a wave turns to the eye shows more of it.
-    let faced = clamp(sqrt(right * down) / footprint, 0.1, 1.0);
+    let faced = faced_by_wave(footprint, right * down);
     let foam_footprint = faced * across / pow(grazing, 0.65);
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;

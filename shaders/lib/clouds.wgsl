@@ -130,12 +130,16 @@ fn cloud_cover(weather: vec2f, place: vec3f, footprint: Metres) -> f32 {
     return in_cloud(cloud_level_of(weather, place, max(footprint, OVERHEAD), 0.0), 0.0).share;
 }
 
+const LOWEST_LIGHT = -0.01;     // sine of the elevation of light over the sea: lower, it lights no cloud from where it is
+
 // What clouds leave at a place of the sun's light; the share of them overhead; what of the light that is left comes from the sun's disc.
 struct Shadow { left: f32, cover: f32, disc: f32 }
 
 fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
-    let mu = max(dot(frame.light, up), 0.05);
-    let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / mu));
+    // Up there light comes in more steeply, as the earth bends away: where a low sun's meets the clouds an eye sees it among them.
+    let low = max(dot(frame.light, up), LOWEST_LIGHT);
+    let mu = sqrt(low * low + 2.0 * CLOUD_SHADOW / frame.semi_major);
+    let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
     let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);

@@ -153,6 +153,8 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
         mat3x2f(middle.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
 }
 
+const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
+
 // The lace where foam is drawn together by the folds of short waves, whose own level is normal, too: a share of its variance is theirs.
 fn on_folds(seen: Lace, folds: vec2f, share: f32) -> Lace {
     var found = seen;
