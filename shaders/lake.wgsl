@@ -1,5 +1,5 @@
 // The lake around the eye, by the sea's grid on a surface at its level (src/scene/frame/place.rs), over the land pass's, which draws it flat. Other
-// lakes, and this one from where its waves are smaller than pixels, are the land's alone, with the same light.
+// lakes, this one's shores, and all of it from where its waves are smaller than pixels, are the land's alone, with the same light.
 #import sea_mesh
 #import inland
 #import lace
@@ -9,12 +9,13 @@
 #import crest_pixels
 #import output
 
-@group(2) @binding(0) var scene_colour: texture_2d<f32>;
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const MIRRORS_CLOUDS = FINE;
 const SAME_LEVEL: Metres = 0.5;    // of two places of one lake
-const CRESTS_GLOW = vec2f(100.0, 300.0);   // as in ocean.wgsl
+
+// The net of clouds' shadows is over the ellipsoid, as for hills.
+fn below_lake(place: vec3f, up: vec3f) -> vec3f { return place - max(frame.water_level, 0.0) * up; }
 
 struct Vertex {
     @builtin(position) position: vec4f,
@@ -32,7 +33,7 @@ fn vertex_of_grid(@location(0) on_grid: vec2f) -> Vertex {
     let dn = normal_delta(place.rest);
     let grid = grid_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), max(length(place.rest) * frame.pixel_angle, 1.0));
     return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place),
-        shadow_of_vertex(place.rest, FINE), grid);
+        shadow_of_vertex(below_lake(place.rest, dn + vec3f(0.0, 0.0, 1.0)), FINE), grid);
 }
 
 @fragment
@@ -66,8 +67,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !MEASURED && !is_chord { footprint = behind_crest(footprint, area); }
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
-    let share = inland_share(ground, footprint);
-    if share <= 0.0 || ground.by_river || abs(lake_at(point).x - frame.water_level) > SAME_LEVEL {
+    // At the shore, where there are no waves, the land's own pixels hold both.
+    if inland_share(ground, footprint) < 1.0 || ground.by_river || abs(lake_at(point).x - frame.water_level) > SAME_LEVEL {
         discard;
         return vec4f(0.0);
     }
@@ -86,13 +87,11 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let foam = foam_of(covered, dense_from(usual_young(covered)), height, seen, true);
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(rest, in.shadow, FINE)); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(below_lake(rest, up), in.shadow, FINE)); }
     var water = inland_water(rest, ground, direction, up, normal, slopes.rough, foam);
     water.facets = facets_at(foam_at, across, grazing);
-    let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
-    water.glow = near * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
+    water.glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
     let radiance = through_air(water_radiance(water, light, clear), light, up, direction, distance);
-    let shown = mix(textureLoad(scene_colour, pixel, 0).rgb, radiance * frame.exposure, share);
-    if !MEASURED { return vec4f(shown, 1.0); }
+    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, frame.water_level + in.height, normal, water_class(ground), 0.0, vec3f(0.0)), radiance);
 }

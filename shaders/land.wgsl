@@ -106,8 +106,8 @@ fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f)
     return Place(distance, dn, point, part, sin_lat, ground);
 }
 
-// A lake or a river with the waves that the wind raises over its own fetch. Its level is too far from the ellipsoid for the sea's mesh: near waves bend
-// its normal alone.
+// A lake or a river with the waves that the wind raises over its own fetch: near ones bend its normal. That of the lake around the eye is mostly
+// hidden by its own mesh (lake.wgsl).
 fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> WaterPoint {
     var sea = OPEN_SEA;
     if FINE { sea = local_water(at.point, OF_LAKE); }
@@ -209,5 +209,5 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     let rest = surface_from_normal_delta(at.dn);
-    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, select(lit.albedo, vec3f(0.0), ground.is_lake)), radiance);
 }

@@ -25,7 +25,6 @@ const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many p
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
 const STREAKS_BLUR = 1.4;      // how much wider pixels are to storms' foam than to other: the finest of its streaks would be rows of dots
 const FOLDS = 0.2;             // heights of the picture within its rim that stand for the bed beside it
-const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
 
 // Radiance of the scene in a pixel, and how much more light waves have gathered there than a flat surface, of bed_light.wgsl.
 fn scene_seen(pixel: vec2u) -> vec4f {
@@ -206,8 +205,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let kind = water_kind(point, sin_lat, depth);
     var glow = vec3f(0.0);
     if WAVES && FINE {
-        let near = 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance);
-        glow = near * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
+        glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }
     let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow), light, clear);

@@ -221,7 +221,7 @@ impl Renderer {
             for kind in [Some(kind), side.below()].into_iter().flatten() {
                 self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
             }
-            if side.has_lake {
+            if side.meshes_lake {
                 self.ocean.prepare(&self.gpu, settings::Mesh::Grid, Look::of_lake(kind), samples);
             }
             if let Some(spindrift) = self.spindrift.as_mut().filter(|_| shows_spindrift) {
@@ -230,7 +230,7 @@ impl Renderer {
             // Coarse tiles are far ones.
             let shows_beaches = side.shows_surf && kind.shows_lakes();
             let beach = |id| shows_beaches && has_beach(id, &self.streaming);
-            let near = if side.shows_lakes && !side.is_over_lake {
+            let near = if side.shows_lakes && !side.is_amid_lake {
                 Near::Lakes
             } else if nearest_pixel_m(&frame.camera, frame.size, tiles, &self.streaming) < GROWTH_M {
                 Near::Growth
@@ -344,7 +344,7 @@ impl Renderer {
             if side.shows_ocean {
                 self.draw_sea(&mut pass, frame, look, targets.samples());
             }
-            if let Some(lake) = frame.lake.as_ref().filter(|_| side.has_lake) {
+            if let Some(lake) = frame.lake.as_ref().filter(|_| side.meshes_lake) {
                 let lake = (&lake.uniform, Look::of_lake(kind), targets.samples());
                 self.ocean.draw(&mut pass, lake, &self.lake_group.group, surface, None);
             }
@@ -389,7 +389,7 @@ impl Renderer {
         let water = (side.depth_m.unwrap_or(0.0), side.is_cut);
         let world = (self.resolution_m(), deepest);
         self.frame_group.upload(&self.gpu, (&frame.uniform, &frame.wave_cells), world, water);
-        if let Some(lake) = frame.lake.as_ref().filter(|_| side.has_lake) {
+        if let Some(lake) = frame.lake.as_ref().filter(|_| side.meshes_lake) {
             self.lake_group.upload(&self.gpu, (&lake.uniform, &lake.wave_cells), world, (0.0, false));
         }
         side

@@ -6,7 +6,7 @@ const CLOUD_TOP: Metres = 2100.0;
 // How far the air before an eye that stands under clouds over so much of its sky is lit as under a clear one: below them it is in their shadow, among
 // them in part.
 fn air_under(cover: f32) -> f32 {
-    let below = 1.0 - saturate((frame.eye_altitude - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
+    let below = 1.0 - saturate((frame.eye_altitude + frame.water_level - CLOUD_BASE) / (CLOUD_TOP - CLOUD_BASE));
     return 1.0 - below * cover * cover;
 }
 

@@ -1,5 +1,5 @@
-// Where the water's vertices are, of either mesh: on the ellipsoid, or as far over it as a lake, moved by the waves along its normal. Who imports this
-// declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as ocean.wgsl does.
+// Where the water's vertices are, of either mesh: on the ellipsoid, or as far over it as a lake, moved by the waves along its normal. Who
+// imports this declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as ocean.wgsl does.
 #import projected_grid
 #import bisected_mesh
 #import world
@@ -12,6 +12,9 @@ const STEP_BEYOND: Metres = 2.0;
 
 // Depth of a lake, which no data tell, as far as waves feel it. Of rivers there is none.
 fn depth_in_lake(ground: Ground) -> Metres { return select(max(LAKE_BED * ground.lake_shore, 0.0), 0.0, ground.by_river); }
+
+// By which patches and the far sea's noise are mixed: on lakes there are the patches alone.
+fn mixed_by(distance: Metres) -> Metres { return select(distance, 0.0, LAKE); }
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
 // `sea` is what the trains of a shore leave of the waves there, `rise` what they add; `is_ocean` is asked where there are waves.
@@ -36,7 +39,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
             rise = waves.rise;
         }
         allowed = held_share(select(-ground.elevation, depth_in_lake(ground), LAKE), sea.height);
-        moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, distance, spacing);
+        moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, mixed_by(distance), spacing);
     }
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise, is_ocean);
 }
@@ -47,7 +50,7 @@ fn beyond(place: Place) -> vec2f {
     let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
     let rest = place.rest + STEP_BEYOND * level;
     // The trains of a shore are too long to differ here.
-    let there = vec3f(0.0, 0.0, place.rise) + place.allowed * displacement_in(place.sea, rest, length(rest), place.spacing);
+    let there = vec3f(0.0, 0.0, place.rise) + place.allowed * displacement_in(place.sea, rest, mixed_by(length(rest)), place.spacing);
     let here = place.moved - place.rest;
     return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);
 }

@@ -11,6 +11,10 @@ const SCATTERED_BY_PLUMES: f32 = 0.3;
 const ENTERING: f32 = 0.95;        // of sunlight into water, through the back of a crest
 const LEAST_REFRACTED: f32 = 0.66; // sine of the elevation, in water, of a sun on the horizon
 
+const CRESTS_GLOW = vec2f(100.0, 300.0);   // metres over which crests become too small to tell what shines through them
+
+fn crests_shown(distance: Metres) -> f32 { return 1.0 - smoothstep(CRESTS_GLOW.x, CRESTS_GLOW.y, distance); }
+
 fn forward_phase(c: f32) -> f32 {
     let d = 1.0 + FORWARD * FORWARD - 2.0 * FORWARD * c;
     return (1.0 - FORWARD * FORWARD) / (4.0 * PI * d * sqrt(d));

@@ -194,7 +194,7 @@ impl Drawing {
     fn submit(&mut self, wanted: &Shown, settings: &Settings, wake: impl FnOnce() + Send + 'static) {
         let size = pace::scaled(wanted.canvas, wanted.effort.scale);
         let mut frame = self.renderer.frame(settings, &wanted.camera, wanted.unix_seconds, size);
-        frame.uniform.cell_pixels = frame.uniform.cell_pixels.max(wanted.effort.cell_pixels as f32);
+        frame.set_cell_pixels(frame.uniform.cell_pixels.max(wanted.effort.cell_pixels as f32));
         self.longest_wave_m = perlin::wavelength_m(frame.sea.perlin.patch_m, 0);
         self.picture.resize(&self.gpu, size);
         let label = wgpu::CommandEncoderDescriptor { label: Some("scene") };

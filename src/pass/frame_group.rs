@@ -60,9 +60,9 @@ impl FrameGroup {
         Self { layout, group, block_layout, block_group, uniform, wave_cells }
     }
 
-    /// Hands a frame's block and wave cells to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest levels
-    /// of the maps' page tables ([`PageTable::deepest`]), how deep the sea is
-    /// at the eye's place, metres, and whether the water may cut through the picture.
+    /// Hands a frame's block and wave cells to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest
+    /// levels of the maps' page tables ([`PageTable::deepest`]), how deep the sea is at the eye's place, metres, and whether the water may cut
+    /// through the picture.
     ///
     /// [`PageTable::deepest`]: crate::data::streaming::PageTable::deepest
     pub fn upload(

@@ -52,14 +52,14 @@ impl Kind {
         self.definitions() + &format!("const IMAGERY: bool = {imagery};\n")
     }
 
-    /// Whether lakes may have waves in such pictures.
-    pub fn has_lakes(self) -> bool {
+    /// Whether the surface of a lake may have waves in such pictures.
+    pub fn meshes_lakes(self) -> bool {
         self.fine && !self.under_water
     }
 
-    /// Whether these may show on the land's own surface.
+    /// Whether waves of lakes may show on the land's own surface.
     pub fn shows_lakes(self) -> bool {
-        self.has_lakes() && !self.measured
+        self.meshes_lakes() && !self.measured
     }
 
     /// What a shader is told.

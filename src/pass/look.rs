@@ -23,7 +23,7 @@ pub struct Look {
 impl Look {
     /// Every one.
     pub fn all() -> impl Iterator<Item = Self> {
-        let lakes = Kind::all().filter(|kind| kind.has_lakes()).map(Self::of_lake);
+        let lakes = Kind::all().filter(|kind| kind.meshes_lakes() && !kind.spray).map(Self::of_lake);
         let seas = Kind::all().flat_map(|kind| {
             let looks = if kind.shows_surf() { 16 } else { 8 };
             (0..looks).map(move |bits: u8| {
@@ -40,8 +40,9 @@ impl Look {
         Self { kind, waves: frame.has_waves(), noise: frame.has_noise(), foam: frame.has_foam(), surf, lake: false }
     }
 
-    /// That of a lake with waves.
+    /// That of a lake with waves, over which no spray stands: that of the sea is at the sea.
     pub fn of_lake(kind: Kind) -> Self {
+        let kind = Kind { spray: false, ..kind };
         Self { kind, waves: true, noise: false, foam: true, surf: false, lake: true }
     }
 

@@ -11,6 +11,7 @@ use crate::pass::caustics::{Caustics, Rays};
 use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
+use crate::scene::frame::uniform::SHOWS_LAND;
 use crate::scene::frame::{CUT_M, Frame};
 use crate::scene::sea::shores::ShoreWaves;
 
@@ -31,15 +32,17 @@ pub(super) struct Side {
     /// Whether lakes are so near that their waves show.
     pub(super) shows_lakes: bool,
     /// Whether the lake around the eye has a mesh of its own.
-    pub(super) has_lake: bool,
-    /// And whether the eye is over that water.
-    pub(super) is_over_lake: bool,
+    pub(super) meshes_lake: bool,
+    /// And whether the eye is so far out on it that no other inland water is near.
+    pub(super) is_amid_lake: bool,
     /// Whether any of the ocean may be seen: not from far inland.
     pub(super) shows_ocean: bool,
     /// Whether an eye over the water may see light that waves gather on the bed.
     pub(super) lights_bed: bool,
 }
 
+/// From an eye so far out on a lake, metres, the waves of other inland waters do not show: it is at most some kilometres up where its lake is a mesh.
+const AMID_LAKE_M: f64 = 5_000.0;
 /// An eye sees no ocean whose shore is farther away than this many times the ellipsoid's horizon, and metres: coarse tiles tell distances to a few
 /// kilometres.
 const INLAND: f64 = 1.5;
@@ -67,11 +70,12 @@ impl Side {
         let over_m = over_m(shore.filter(|_| shows_surf));
         let kind = Kind::of(frame, over_m < 0.0 && !is_cut);
         let lights_bed = blends && kind.fine && !kind.under_water && frame.lights_bed(software, depth_m, shore_m);
-        let has_lake = shows_lakes && kind.has_lakes() && frame.lake.is_some();
-        let is_over_lake = has_lake && place.is_some_and(|place| place.lake.is_some());
+        let shows_land = frame.uniform.layers & SHOWS_LAND != 0;
+        let meshes_lake = shows_lakes && shows_land && kind.meshes_lakes() && frame.lake.is_some();
+        let is_amid_lake = meshes_lake && is_lake && lake_m > AMID_LAKE_M;
         let inland_m = place.and_then(|place| place.shore_distance_m).map_or(0.0, |shore_m| -shore_m);
         let shows_ocean = inland_m < INLAND * WGS84.horizon_distance(frame.camera.altitude_m.max(0.0)) + INLAND_M;
-        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, has_lake, is_over_lake, shows_ocean, lights_bed }
+        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, meshes_lake, is_amid_lake, shows_ocean, lights_bed }
     }
 
     /// The kind of the picture from below, if there is one.

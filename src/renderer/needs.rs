@@ -10,6 +10,7 @@ use crate::model::waves;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::SHOWS_SEA;
 use crate::scene::sea::shores::ShoreWaves;
+use crate::scene::settings::Quality;
 use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
@@ -85,11 +86,13 @@ impl Renderer {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {
-            // Over a lake whose surface is drawn, over its crests.
+            if place.lake.is_none() || state.settings.quality == Quality::Low {
+                return above_ground(&asked, place.elevation_m);
+            }
+            // Over the crests of a lake whose surface is drawn.
             let sea = self.seas.drawn(&state.settings);
-            let hs_m = self.seas.shelter.hs_m(&sea, Water::Lake, asked.lat, asked.lon);
-            let crest_m = place.lake.map_or(0.0, |_| sea.crest_m() * hs_m / sea.sea.hs_m.max(1e-3));
-            return above_ground(&asked, place.elevation_m + crest_m);
+            let share = self.seas.shelter.hs_m(&sea, Water::Lake, asked.lat, asked.lon) / sea.sea.hs_m.max(1e-3);
+            return above_ground(&asked, place.elevation_m + share * sea.crest_m());
         };
         let ridden = self.seas.eye(state, unix_seconds);
         let crest_m = self.seas.drawn(&state.settings).crest_m();

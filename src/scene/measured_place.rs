@@ -112,7 +112,7 @@ impl MeasuredPlaces {
             let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
             object["lake_hs_m"] = height_m(gains);
             // Where the level is known the surface is drawn.
-            if sample.lake.is_some() {
+            if sample.lake.is_some() && state.settings.quality != Quality::Low {
                 let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
                 let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
                 surface = Some((SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves }, gains));

@@ -1,55 +1,51 @@
-//! Lakes with a mesh of their own at their level: waves as high as the CPU tells, and no step where the mesh ends.
+//! Lakes with a mesh of their own at their level: waves as high as `sample` tells, and no step where the mesh ends.
 
 use glam::DVec2;
 use ocean_globe::cli::render::{self, LayerName};
-use ocean_globe::data::exposure::{Found, Water};
-use ocean_globe::data::tile::Layer;
+use ocean_globe::data::world::World;
 use ocean_globe::model::earth::{self, WGS84};
 use ocean_globe::renderer::{Radiance, Renderer};
-use ocean_globe::scene::frame::Frame;
-use ocean_globe::scene::sea::Seas;
-use ocean_globe::scene::sea::shelter::of_patches;
-use ocean_globe::scene::settings::Settings;
+use ocean_globe::scene::measured_place::{MeasuredPlaces, Question};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
-const WEATHER: &str = "&clouds=0&wind=8@45&time=2026-11-20T18:00:00Z&rate=0";
+const WEATHER: &str = "&wind=8@45&time=2026-11-20T18:00:00Z&rate=0";
 const EVENING: f64 = 1_795_197_600.0;
+const SUPERIOR: &str = "47.5,-87.5,190";
 
-/// Gains of the patches' waves on a lake at a place, radians.
-fn gains(renderer: &mut Renderer, settings: &Settings, seas: &mut Seas, lat: f64, lon: f64) -> [f64; 4] {
-    let tables = seas.tables(settings);
-    let world = renderer.world_mut();
-    let mut look = |id| match world.tile_blocking(Layer::Water, id) {
-        Ok(Some(texels)) => Found::Tile(texels),
-        _ => Found::Absent,
-    };
-    let place = (Water::Lake, lat, lon);
-    of_patches(seas.shelter.at((&tables, settings.wind_from()), place, &mut look).unwrap())
+/// A measured layer of a link.
+fn layer(renderer: &mut Renderer, link: &str, size: [u32; 2], name: LayerName) -> Vec<f64> {
+    render::measure(renderer, &render::parse_state(link).unwrap(), size, name).unwrap().values
+}
+
+/// What `sample` says of the surface at a place in degrees.
+fn sampled(world: &mut World, places: &mut MeasuredPlaces, link: &str, at: (f64, f64)) -> serde_json::Value {
+    let asked = Question::of_link(link, at, None, 0.0).unwrap();
+    places.at(world, &asked, World::look_blocking).unwrap().unwrap()["surface"].clone()
 }
 
 #[test]
 fn drawn_heights_of_lakes_are_those_of_the_sample() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
-    let mut seas = Seas::default();
+    let (mut world, mut places) = (World::open(DATA), MeasuredPlaces::default());
     // Cells of the mesh 2 cm wide.
     const SIDE: u32 = 769;
     let pixels = || (24..750).step_by(120);
     // Lake Superior, Lake Titicaca and the Caspian Sea, which lies below the ocean's level; from as near as the waves let an eye come.
     for (place, level_m) in [("47.5,-87.5", 183.0), ("-15.9,-69.4", 3812.0), ("42,51", -28.0)] {
-        let state = render::parse_state(&format!("#view={place},{level_m},0,0{WEATHER}")).unwrap();
-        let measured = render::measure(&mut renderer, &state, [SIDE; 2], LayerName::Height).unwrap();
-        let eye = renderer.eye(&state, EVENING);
+        let link = format!("#view={place},{level_m},0,0{WEATHER}");
+        let drawn = layer(&mut renderer, &link, [SIDE; 2], LayerName::Height);
+        let eye = renderer.eye(&render::parse_state(&link).unwrap(), EVENING);
         let (mut errors, mut heights) = (Vec::new(), Vec::new());
         for (row, column) in pixels().flat_map(|row| pixels().map(move |column| (row, column))) {
-            let drawn_m = measured.values[row * SIDE as usize + column];
+            let drawn_m = drawn[row * SIDE as usize + column];
             let level = earth::Ellipsoid { a: WGS84.a + drawn_m, b: WGS84.b + drawn_m };
             let pixel = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
             let hit = eye.unproject_onto(&level, pixel, DVec2::splat(f64::from(SIDE))).unwrap();
             let at = WGS84.geodetic_from_ecef(hit).unwrap();
-            let gains = gains(&mut renderer, &state.settings, &mut seas, at.lat, at.lon);
-            let sample = seas.sample_in(&state.settings, (at.lat, at.lon), EVENING, f64::INFINITY, gains);
-            errors.push((level_m + sample.height_m - drawn_m).abs());
-            heights.push(sample.height_m.abs());
+            let told = sampled(&mut world, &mut places, &link, (at.lat.to_degrees(), at.lon.to_degrees()));
+            let told_m = told["height_m"].as_f64().unwrap();
+            errors.push((told_m - drawn_m).abs());
+            heights.push((told_m - level_m).abs());
         }
         errors.sort_by(f64::total_cmp);
         let [median, most] = [errors[errors.len() / 2], errors[errors.len() * 95 / 100]];
@@ -61,28 +57,54 @@ fn drawn_heights_of_lakes_are_those_of_the_sample() {
     }
 }
 
-/// Luminance of the middle of a picture of a lake from so high over it, and whether it has its mesh.
-fn seen(renderer: &mut Renderer, over_m: f64) -> (f64, bool) {
-    let link = format!("#view=47.5,-87.5,{},230,60{WEATHER}", 183.0 + over_m);
-    let state = render::parse_state(&link).unwrap();
+#[test]
+fn coarse_pictures_and_those_without_land_have_no_waves_on_lakes() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [64, 64];
+    let low = format!("#view={SUPERIOR},0,0{WEATHER}&quality=low");
+    let heights = layer(&mut renderer, &low, size, LayerName::Height);
+    assert!(heights.iter().all(|height_m| (height_m - 183.0).abs() < 1e-3), "{heights:?}");
+    let (mut world, mut places) = (World::open(DATA), MeasuredPlaces::default());
+    assert!(sampled(&mut world, &mut places, &low, (47.5, -87.5)).is_null());
+    let bare = format!("#view={SUPERIOR},0,0{WEATHER}&layers=-land");
+    let classes = layer(&mut renderer, &bare, size, LayerName::Class);
+    assert!(classes.iter().all(|class| *class != 2.0), "{classes:?}");
+}
+
+/// Mean luminance of the lower half of a picture of a lake from so high over it, and how much the heights that it shows differ, metres.
+fn seen(renderer: &mut Renderer, lake: (&str, f64), weather: &str, over_m: f64) -> (f64, f64) {
+    let link = format!("#view={},{},230,60{WEATHER}{weather}", lake.0, lake.1 + over_m);
     let size = [160, 90];
-    let values = render::measure(renderer, &state, size, LayerName::Radiance).unwrap().values;
-    let frame: Frame = renderer.frame(&state.settings, &state.camera, EVENING, size);
-    let middle = values.chunks_exact(3).skip(160 * 40).map(|rgb| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
-    (middle.sum::<f64>() / (160.0 * 50.0), frame.lake.is_some())
+    let values = layer(renderer, &link, size, LayerName::Radiance);
+    let lower = values.chunks_exact(3).skip(160 * 45).map(|rgb| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
+    let heights = layer(renderer, &link, size, LayerName::Height);
+    let [least, greatest] =
+        [f64::min as fn(f64, f64) -> f64, f64::max].map(|f| heights[160 * 45..].iter().copied().reduce(f).unwrap());
+    (lower.sum::<f64>() / (160.0 * 45.0), greatest - least)
 }
 
 #[test]
 fn a_lake_looks_alike_where_its_mesh_ends() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
-    // The mesh ends where the waves are a quarter of a pixel high.
-    let mut over_m = 100.0;
-    while seen(&mut renderer, over_m).1 {
-        over_m *= 1.05;
+    // Lake Superior, and Lake Tahoe, which lies higher than clouds do over the sea.
+    for lake in [("47.5,-87.5", 183.0), ("39.1,-120.03", 1897.0)] {
+        for weather in ["&clouds=0", "&clouds=0.9"] {
+            // The mesh ends where the waves are a quarter of a pixel high.
+            let [mut low_m, mut high_m] = [100.0_f64, 4_000.0];
+            while high_m / low_m > 1.01 {
+                let middle_m = (low_m * high_m).sqrt();
+                let has_waves = seen(&mut renderer, lake, weather, middle_m).1 > 0.01;
+                *(if has_waves { &mut low_m } else { &mut high_m }) = middle_m;
+            }
+            let [(below, waves_m), (above, none_m)] =
+                [low_m, high_m].map(|over_m| seen(&mut renderer, lake, weather, over_m));
+            println!(
+                "{lake:?}{weather}: up to {low_m:.0} m, waves of {waves_m:.2} m: {:.4} of what is seen without",
+                below / above
+            );
+            assert!(waves_m > 0.01 && none_m < 0.01, "{lake:?}: {waves_m} {none_m}");
+            // A hundredth of the height, and what crests hide of each other.
+            assert!((below / above - 1.0).abs() < 0.006, "{lake:?}{weather}: {below} {above}");
+        }
     }
-    let [(below, has_mesh), (above, has_none)] = [over_m / 1.05, over_m].map(|over_m| seen(&mut renderer, over_m));
-    println!("mesh up to {over_m:.0} m: {below:.4e} with it, {above:.4e} without");
-    assert!(has_mesh && !has_none);
-    // The air of 30 m of height, and what crests hide of each other.
-    assert!((below / above - 1.0).abs() < 0.006, "{below} {above}");
 }

@@ -110,6 +110,7 @@ fn lakes_are_drawn_at_their_level() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // Waves have a test of their own (`lake`).
     let calm = WEATHER.replace("wind=12@45", "bft=0");
+    assert_ne!(calm, WEATHER);
     // Place, level, height of the eye over the ellipsoid, metres: near, and from 10 km.
     for (place, level_m, altitude_m) in [
         ("47.7,-87.5", 183.0, 400.0),

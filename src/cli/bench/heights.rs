@@ -63,7 +63,7 @@ impl Way {
         let settings = Settings { mesh, ..state.settings.clone() };
         let mut frame = Frame::of(seas, &settings, eye, unix_seconds, size);
         if self == Self::Coarse {
-            frame.uniform.cell_pixels *= COARSER;
+            frame.set_cell_pixels(COARSER * frame.uniform.cell_pixels);
         }
         if matches!(self, Self::GridAlone | Self::AtRestAlone) { frame.without_noise() } else { frame }
     }

@@ -72,14 +72,14 @@ pub struct Frame {
     /// The block for the GPU.
     pub uniform: FrameUniform,
     /// And what the surface of the lake around the eye is drawn with, where pixels show its waves.
-    pub lake: Option<Lake>,
+    pub lake: Option<LakeSurface>,
     /// The wave cells around the eye.
     pub wave_cells: [WaveCell; MAX_CELLS],
 }
 
 /// The block and the wave cells for a lake's surface.
 #[derive(Clone, Debug)]
-pub struct Lake {
+pub struct LakeSurface {
     /// Whose ellipsoid is the lake's level.
     pub uniform: FrameUniform,
     /// The cells about an eye that is as high over the ellipsoid as over the lake: waves are functions of places on the ellipsoid.
@@ -250,6 +250,13 @@ impl Frame {
         self
     }
 
+    /// Draws the water with cells of its grid so many pixels wide.
+    pub fn set_cell_pixels(&mut self, cell_pixels: f32) {
+        for block in self.blocks() {
+            block.cell_pixels = cell_pixels;
+        }
+    }
+
     fn blocks(&mut self) -> impl Iterator<Item = &mut FrameUniform> {
         iter::once(&mut self.uniform).chain(self.lake.as_mut().map(|lake| &mut lake.uniform))
     }
@@ -342,9 +349,12 @@ impl Frame {
     }
 }
 
-/// What is drawn of the lake around an eye over it, with `sea`'s waves as land lets them grow there, if it is one whose level is known and they are no
-/// smaller than its nearest pixels.
-fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, camera: &Camera) -> Option<Lake> {
+/// What is drawn of the lake around an eye over it, with `sea`'s waves as land lets them grow there, if it is one whose level is known and they are
+/// not much smaller than its nearest pixels.
+fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, camera: &Camera) -> Option<LakeSurface> {
+    if settings.quality == Quality::Low {
+        return None;
+    }
     let level_m = lakes::at(camera.lat, camera.lon)?.level_m;
     let over_m = camera.altitude_m - level_m;
     let hs_m = seas.shelter.hs_m(sea, Water::Lake, camera.lat, camera.lon);
@@ -355,7 +365,8 @@ fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, cam
     let mut uniform = *u;
     place::set_water_level(&mut uniform, camera, level_m, hs_m, sea.sea.chop);
     let lowered = Camera { altitude_m: over_m, ..*camera };
-    let (wave_cells, count, _) = wave_cells::around(&uniform, settings, &lowered, sea);
+    let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, &lowered, sea);
     uniform.wave_cell_count = count;
-    Some(Lake { uniform, wave_cells })
+    (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
+    Some(LakeSurface { uniform, wave_cells })
 }

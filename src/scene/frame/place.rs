@@ -63,10 +63,10 @@ pub fn set_earth(u: &mut FrameUniform, camera: &Camera, hs_m: f64, chop: f64) {
     u.foot_nu = nu as f32;
 }
 
-/// The earth as far as the water goes whose surface is so high over the ellipsoid, with waves as high as `hs_m`, metres both: an ellipsoid about it
-/// with the same normals. Distances on it are true to a part of 6e-4 at the level of the highest lake.
+/// The earth as far as the water goes whose surface is so high over the ellipsoid, metres, for a grid among waves as high as `hs_m`: an ellipsoid
+/// about it with the same normals. Distances on it are true to a part of 6e-4 at the level of the highest lake.
 pub fn set_water_level(u: &mut FrameUniform, camera: &Camera, level_m: f64, hs_m: f64, chop: f64) {
-    // The air is that of the ellipsoid.
+    // The tables of the air are those of the sea's picture, and laid out by its crests (`floor_cosine` of shaders/lib/air_coordinates.wgsl).
     let (air_sink, crest_height) = (u.air_sink, u.crest_height);
     set_earth(u, &Camera { altitude_m: camera.altitude_m - level_m, ..*camera }, hs_m, chop);
     (u.air_sink, u.crest_height, u.water_level) = (air_sink, crest_height, level_m as f32);
