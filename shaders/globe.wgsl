@@ -97,5 +97,5 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let seen = mix(sky, through_air(radiance, light, up, direction, distance), share);
     if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
     if ground.is_ocean { return measured_output(Measured(rest, distance, depth, water.alpha, 0.0, up, 1.0, mix_weights(distance).y, vec3f(0.0)), seen); }
-    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0, select(lit.albedo, vec3f(0.0), ground.is_lake)), seen);
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0, lit.albedo), seen);
 }

@@ -209,5 +209,5 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
     let rest = surface_from_normal_delta(at.dn);
-    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, select(lit.albedo, vec3f(0.0), ground.is_lake)), radiance);
+    return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
 }

@@ -11,7 +11,7 @@ use crate::pass::caustics::{Caustics, Rays};
 use crate::pass::deep::Deep;
 use crate::pass::kind::Kind;
 use crate::pass::waterline::Waterline;
-use crate::scene::frame::uniform::SHOWS_LAND;
+use crate::scene::frame::uniform::{Output, SHOWS_LAND};
 use crate::scene::frame::{CUT_M, Frame};
 use crate::scene::sea::shores::ShoreWaves;
 
@@ -70,7 +70,9 @@ impl Side {
         let over_m = over_m(shore.filter(|_| shows_surf));
         let kind = Kind::of(frame, over_m < 0.0 && !is_cut);
         let lights_bed = blends && kind.fine && !kind.under_water && frame.lights_bed(software, depth_m, shore_m);
-        let shows_land = frame.uniform.layers & SHOWS_LAND != 0;
+        // Albedos are of the ground, under lakes too.
+        let u = &frame.uniform;
+        let shows_land = u.layers & SHOWS_LAND != 0 && u.output != Output::Albedo as u32;
         let meshes_lake = shows_lakes && shows_land && kind.meshes_lakes() && frame.lake.is_some();
         let is_amid_lake = meshes_lake && is_lake && lake_m > AMID_LAKE_M;
         let inland_m = place.and_then(|place| place.shore_distance_m).map_or(0.0, |shore_m| -shore_m);

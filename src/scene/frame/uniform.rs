@@ -40,7 +40,7 @@ pub enum Output {
     Class = 6,
     /// Weight of the Perlin field in the mix.
     PerlinWeight = 7,
-    /// Linear albedo of the ground, 0 where water covers it.
+    /// Linear albedo of the ground, 0 where the sea covers it.
     Albedo = 8,
 }
 
