@@ -208,6 +208,18 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     return Veil(shade * (lit * air.transmittance + air.radiance), 1.0 - shade);
 }
 
+// Drops send half of what they scatter on, within a degree or two of its way, by diffraction: what thin clouds take from the disc stands about it.
+const CORONA = 0.02;                    // radians
+const DIFFRACTED = 0.5;
+
+// That of the sun or the moon, before what clouds leave so much of.
+fn corona(direction: vec3f, through: f32) -> vec3f {
+    let away = frame.light - direction;
+    let spread = 1.0 + dot(away, away) / (CORONA * CORONA);
+    let once = -log(max(through, 1e-4)) * through;
+    return SUN_IRRADIANCE * beam_seen(direction) * (DIFFRACTED * once / (PI * CORONA * CORONA * spread * spread));
+}
+
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let device = corner.position.xy * SCALE * vec2f(2.0, -2.0) / frame.viewport + vec2f(-1.0, 1.0);
@@ -228,5 +240,6 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let ice = ice_clouds(ray, direction, far, phase);
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }
+    if !GLOBE { all.radiance += corona(direction, all.through); }
     return vec4f(all.radiance * frame.exposure, 1.0 - all.through);
 }
