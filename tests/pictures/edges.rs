@@ -4,6 +4,8 @@ use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::Output;
 
+use crate::tone::displayed;
+
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 180];
 
@@ -12,9 +14,13 @@ fn between(renderer: &mut Renderer, quality: &str) -> f64 {
     // No foam, so that the sea under a crest is one dark blue; into the wind, away from the sun.
     let link = "#view=35.6812,-14.25,2,262,88&clouds=0&ride=1&bft=8&time=2026-11-20T12:00:00Z&rate=0&layers=-foam";
     let state = render::parse_state(&format!("{link}&quality={quality}")).unwrap();
-    let (_, target) = render::draw(renderer, &state, SIZE, Output::Picture).unwrap();
-    let bytes = renderer.gpu().read_texture(&target, 0, 0).unwrap();
-    let red = |x: u32, y: u32| f64::from(bytes[4 * (y * SIZE[0] + x) as usize]);
+    let _ = render::draw(renderer, &state, SIZE, Output::Picture).unwrap();
+    // Before the lens, which spreads every edge.
+    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let part = |texel: &[u8], at: usize| half::f16::from_le_bytes([texel[2 * at], texel[2 * at + 1]]).to_f64();
+    let shown: Vec<f64> =
+        bytes.chunks_exact(8).map(|texel| displayed([0, 1, 2].map(|at| part(texel, at)))[0]).collect();
+    let red = |x: u32, y: u32| shown[(y * SIZE[0] + x) as usize];
     let mut columns = 0.0;
     for x in 0..SIZE[0] {
         // The edge: the first pixel from above that is a sixth darker than the sky two pixels higher.
