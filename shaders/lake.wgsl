@@ -14,17 +14,13 @@
 const MIRRORS_CLOUDS = FINE;
 const SAME_LEVEL: Metres = 0.5;    // of two places of one lake
 
-// The net of clouds' shadows is over the ellipsoid, as for hills.
-fn below_lake(place: vec3f, up: vec3f) -> vec3f { return place - max(frame.water_level, 0.0) * up; }
-
 struct Vertex {
     @builtin(position) position: vec4f,
     @location(0) rest: vec3f,          // on the level surface
     @location(1) moved: vec3f,
     @location(2) height: f32,          // over it
     @location(3) ahead: vec2f,         // `beyond`
-    @location(5) shadow: vec3f,        // of clouds, `shadow_of_vertex`
-    @location(6) grid: vec3f,          // `grid_at`
+    @location(4) grid: vec3f,          // `grid_at`
 }
 
 @vertex
@@ -32,8 +28,7 @@ fn vertex_of_grid(@location(0) on_grid: vec2f) -> Vertex {
     let place = place_on_grid(on_grid);
     let dn = normal_delta(place.rest);
     let grid = grid_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), max(length(place.rest) * frame.pixel_angle, 1.0));
-    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place),
-        shadow_of_vertex(below_lake(place.rest, dn + vec3f(0.0, 0.0, 1.0)), FINE), grid);
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, beyond(place), grid);
 }
 
 @fragment
@@ -87,7 +82,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let foam = foam_of(covered, dense_from(usual_young(covered)), height, seen, true);
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(below_lake(rest, up), in.shadow, FINE)); }
+    // The net of clouds' shadows is over the ellipsoid, as for hills.
+    let below_lake = rest - max(frame.water_level, 0.0) * up;
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(below_lake, vec3f(0.0), FINE)); }
     var water = inland_water(rest, ground, direction, up, normal, slopes.rough, foam);
     water.facets = facets_at(foam_at, across, grazing);
     water.glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);

@@ -40,12 +40,14 @@ mod below;
 mod cost;
 mod mesh;
 mod needs;
+mod side;
 mod surface;
 mod targets;
 
-use below::{Below, Side};
+use below::Below;
 pub use cost::Cost;
 use mesh::Mesh;
+use side::Side;
 use surface::Surface;
 use targets::{DEPTH_FORMAT, Passes, SAMPLES, Targets};
 pub use targets::{Radiance, TARGET_FORMAT};

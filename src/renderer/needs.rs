@@ -1,6 +1,6 @@
 //! What a frame needs of the world before it can be drawn, tiles, lees and waves by shores, and where its eye can be.
 
-use super::below::Side;
+use super::side::Side;
 use super::{Radiance, Renderer};
 use crate::data::exposure::Water;
 use crate::data::sample::Sample;
@@ -10,7 +10,6 @@ use crate::model::waves;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::SHOWS_SEA;
 use crate::scene::sea::shores::ShoreWaves;
-use crate::scene::settings::Quality;
 use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
@@ -86,7 +85,7 @@ impl Renderer {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {
-            if place.lake.is_none() || state.settings.quality == Quality::Low {
+            if place.lake.is_none() || !state.settings.quality.is_fine() {
                 return above_ground(&asked, place.elevation_m);
             }
             // Over the crests of a lake whose surface is drawn.

@@ -18,7 +18,6 @@ use crate::scene::sea::Seas;
 use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::shores::Shores;
 use crate::scene::sea::surface_sample::SurfaceSample;
-use crate::scene::settings::Quality;
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
 
@@ -98,7 +97,7 @@ impl MeasuredPlaces {
         let mut surface = None;
         if let Some(depth_m) = sample.depth_m {
             let Some(gains) = self.gains(world, state, (Water::Ocean, lat, lon), look)? else { return Ok(None) };
-            let has_trains = sample.shallows().is_some() && state.settings.quality != Quality::Low;
+            let has_trains = sample.shallows().is_some() && state.settings.quality.is_fine();
             if has_trains && !self.shores.prepare_at(world, (&tables, state.settings.wind_from()), lat, lon) {
                 return Ok(None);
             }
@@ -112,7 +111,7 @@ impl MeasuredPlaces {
             let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
             object["lake_hs_m"] = height_m(gains);
             // Where the level is known the surface is drawn.
-            if sample.lake.is_some() && state.settings.quality != Quality::Low {
+            if sample.lake.is_some() && state.settings.quality.is_fine() {
                 let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
                 let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
                 surface = Some((SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves }, gains));

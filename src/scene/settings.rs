@@ -108,6 +108,11 @@ pub enum Quality {
 }
 
 impl Quality {
+    /// Whether it has small and faint effects: all but the one made for slow machines.
+    pub fn is_fine(self) -> bool {
+        self != Self::Low
+    }
+
     /// Every quality with its name in links.
     pub const ALL: [(Self, &'static str); 6] = [
         (Self::Auto, "auto"),

@@ -202,7 +202,7 @@ impl Frame {
 
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.
     pub fn is_fine(&self) -> bool {
-        self.quality != Quality::Low
+        self.quality.is_fine()
     }
 
     /// How much wider than usual the cells of the ground's mesh are.
@@ -352,7 +352,7 @@ impl Frame {
 /// What is drawn of the lake around an eye over it, with `sea`'s waves as land lets them grow there, if it is one whose level is known and they are
 /// not much smaller than its nearest pixels.
 fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, camera: &Camera) -> Option<LakeSurface> {
-    if settings.quality == Quality::Low {
+    if !settings.quality.is_fine() {
         return None;
     }
     let level_m = lakes::at(camera.lat, camera.lon)?.level_m;
