@@ -32,6 +32,7 @@ const CLOUD_SCATTERS = 0.0075;         // per metre of a heap: 0.05 of droplets,
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
 const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
+const HIDDEN = 0.02;                    // what a cloud leaves of what is behind it, from where on a sight goes no further
 const OVER_HORIZON = 0.0004;            // radians that are surely above it, by the sphere's
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
@@ -157,8 +158,10 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.first);
         t = select(t, max(t, stretch.returns), t >= stretch.leaves);
         look++;
-        if t >= stretch.last || veil.through < 0.02 || step == 0.0 || look == MOST_LOOKS { break; }
+        if t >= stretch.last || veil.through < HIDDEN || step == 0.0 || look == MOST_LOOKS { break; }
     }
+    // Sights that end in a cloud see nothing behind it: of the sun so much would be a disc in an overcast sky.
+    veil.through *= smoothstep(HIDDEN, 4.0 * HIDDEN, veil.through);
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);

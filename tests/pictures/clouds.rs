@@ -193,12 +193,11 @@ fn an_eye_among_clouds_sees_those_behind_the_ones_about_it() {
     assert!(share > 0.85, "{share}");
 }
 
-#[test]
-fn thin_clouds_before_the_sun_glow_about_it() {
+/// How many times as bright a sky of so many clouds is beside the sun, as nine degrees from it.
+fn glow_about_the_sun(renderer: &mut Renderer, clouds: f64) -> f64 {
     const SIZE: [u32; 2] = [320, 180];
-    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
-    let state = render::parse_state("#view=10,-140,5,270,95&bft=3&clouds=0.5&time=2026-05-04T02:40:00Z").unwrap();
-    let (frame, _) = render::draw(&mut renderer, &state, SIZE, Output::Picture).unwrap();
+    let link = format!("#view=10,-140,5,270,95&bft=3&clouds={clouds}&time=2026-05-04T02:40:00Z");
+    let (frame, _) = render::draw(renderer, &render::parse_state(&link).unwrap(), SIZE, Output::Picture).unwrap();
     let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
     let u = &frame.uniform;
     // Means of what stands so many degrees from the sun, over the sea.
@@ -206,10 +205,8 @@ fn thin_clouds_before_the_sun_glow_about_it() {
         let (mut sum, mut count) = (0.0, 0.0);
         for (pixel, texel) in bytes.chunks_exact(8).enumerate() {
             let [x, y] = [pixel as u32 % SIZE[0], pixel as u32 / SIZE[0]].map(|at| at as f32 + 0.5);
-            let ray = u.ray_forward
-                + (2.0 * x / SIZE[0] as f32 - 1.0) * u.ray_right
-                + (1.0 - 2.0 * y / SIZE[1] as f32) * u.ray_up;
-            let ray = ray.normalize();
+            let right = (2.0 * x / SIZE[0] as f32 - 1.0) * u.ray_right;
+            let ray = (u.ray_forward + right + (1.0 - 2.0 * y / SIZE[1] as f32) * u.ray_up).normalize();
             if ray.z > 0.01 && ring.contains(&ray.angle_between(u.sun).to_degrees()) {
                 sum += half::f16::from_le_bytes([texel[2], texel[3]]).to_f64();
                 count += 1.0;
@@ -217,7 +214,14 @@ fn thin_clouds_before_the_sun_glow_about_it() {
         }
         sum / count
     });
-    println!("{:.1} times as bright beside the sun as nine degrees from it", near / far);
-    // Clouds that scatter evenly are 1.1 times so.
-    assert!(near > 3.0 * far, "{near} {far}");
+    println!("clouds {clouds}: {:.1} times as bright beside the sun as nine degrees from it", near / far);
+    near / far
+}
+
+#[test]
+fn thin_clouds_before_the_sun_glow_about_it_and_closed_ones_hide_it() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let [thin, closed] = [0.3, 0.5].map(|clouds| glow_about_the_sun(&mut renderer, clouds));
+    // Clouds that scatter evenly are 1.6 and 1.1 times so.
+    assert!(thin > 5.0 && closed < 2.0, "{thin} {closed}");
 }
