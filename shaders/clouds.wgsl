@@ -22,14 +22,22 @@ const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
 const FINER = 6.0;                      // steps in a cloud, of those between
 const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
-const SUNWARDS: Metres = 260.0;         // where a cloud looks whether it is in the shadow of others
+const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
+const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
+const CLOSED_TO = 1.8;
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
-const CLOUD_SCATTERS = 0.0075;         // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are half as dense
+const CLOUD_SCATTERS = 0.0075; // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are less dense
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
+// Of an optical depth towards the sun: what a heap loses through its sides of the light that goes up in it, and of that which goes down.
+const SIDEWAYS = 0.15;
+const SIDEWAYS_DOWN = 0.12;
+const TURNED_LIGHT = vec2f(0.25, 1.08);  // of the light of a level surface: of one turned away from the sun, and of one turned to it
+const TURNED = 0.6;                     // deviations over SUNWARDS by which the level falls on a side that is turned to the sun, and rises on others
+const FACING_MEAN = 0.75;               // where nothing is known of that
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
 const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
 const HIDDEN = 0.02;                    // what a cloud leaves of what is behind it, from where on a sight goes no further
@@ -42,24 +50,31 @@ const CLOUD_LEAST = 0.1;
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
-// Where a place is in a cloud: how high over its base, of the layer, and the optical depths from it towards the sun and to the base.
-struct InHeap { height: f32, above: f32, below: f32 }
+// Where a place is in a cloud: how high over its base, of the layer; the optical depths from it towards the sun and to the base; how far its side is
+// turned to the sun, 0 to 1; and how far clouds are closed there, 0 to 1.
+struct InHeap { height: f32, above: f32, below: f32, facing: f32, closed: f32 }
 
-// At a height, where the cloud has such an edge and the level lies so high; `met_excess`: how far it lies above the edge where the eye has met the
-// cloud. A picture from space, `is_wide`, shows the tops.
-fn in_heap(height: f32, edge: f32, cloud: InCloud, level: f32, met_excess: f32, mu: f32, is_wide: bool) -> InHeap {
-    let top = min(sqrt((max(edge, 0.0) + cloud.excess) / CLOUD_TALL), 1.0);
-    let risen = select(saturate(height), top, is_wide);
-    let over = min(max(top - risen, 0.0) * (CLOUD_TOP - CLOUD_BASE) / max(mu, 0.1), DEEPEST);
-    let scatters = CLOUD_SCATTERS * mix(1.0, 0.5, smoothstep(1.0, 3.0, level));
-    return InHeap(risen, scatters * (cloud.share * over + OWN_DEPTH * min(4.0 * met_excess, 1.0)), scatters * risen * (CLOUD_TOP - CLOUD_BASE));
+// At a height, where the cloud is so high and scatters so much a metre; `met_excess`: how far the level lies above the edge where the eye has met
+// the cloud; `closed`, `facing`: as there. A picture from space shows the tops, and others the more of
+// them, the wider their pixels are: `wideness`, 0 to 1.
+fn in_heap(height: f32, top: f32, scatters: f32, cloud: InCloud, met_excess: f32, mu: f32, wideness: f32, facing: f32, closed: f32) -> InHeap {
+    let risen = mix(saturate(height), top, wideness);
+    let straight = max(top - risen, 0.0) * (CLOUD_TOP - CLOUD_BASE);
+    let over = mix(min(straight / max(mu, 0.1), DEEPEST), straight, closed);
+    let above = scatters * (cloud.share * over + OWN_DEPTH * min(4.0 * met_excess, 1.0));
+    return InHeap(risen, above, scatters * risen * (CLOUD_TOP - CLOUD_BASE), facing, closed);
 }
 
 // Light that a cloud sends on, of what falls on it: that of two streams that none of it is lost from (A. Schuster 1905), of which an eye sees the
-// one that comes towards it, and what has met but one droplet.
+// one that comes towards it, and what has met but one droplet. Heaps lose some of both through their sides, which closed clouds have none of, and
+// what is turned away from the sun, a bulge's back or a furrow, has less of them than those streams, which are level, know.
 fn cloud_source(sun: vec3f, sky: vec3f, at: InHeap, phase: f32, rise: f32) -> vec3f {
     let through = 1.0 / (1.0 + TWO_STREAMS * (at.above + at.below));
-    let lit = (TWO_STREAMS * at.below + saturate(0.5 + 3.0 * rise)) * through + 0.1 * exp(-at.above) * phase;
+    let turned = mix(TURNED_LIGHT.x, TURNED_LIGHT.y, at.facing);
+    let kept = mix(1.0 / (1.0 + vec2f(SIDEWAYS, SIDEWAYS_DOWN) * at.above), vec2f(1.0), at.closed);
+    let sent_up = TWO_STREAMS * at.below * turned * kept.x;
+    let let_down = saturate(0.5 + 3.0 * rise) * mix(turned, 1.0, saturate(0.4 * at.above)) * kept.y;
+    let lit = (sent_up + let_down) * through + 0.1 * exp(-at.above) * phase;
     return (0.95 * sun * lit + sky * (0.3 + 0.6 * at.height)) / PI;
 }
 
@@ -111,6 +126,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var look = 0u;
     var met = 0.0;
     var met_excess = 0.0;
+    var met_over = 0.0;
     var last_x = -6.0;
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
@@ -124,10 +140,12 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let mu = sun_cosine(at);
         let is_lit = met > 0.0;
         let place = cloud_place(select(at, at + SUNWARDS * frame.light, is_lit));
-        let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit));
+        let weather = cloud_weather(place);
+        let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit), weather.x);
         // In clouds it is narrower than the steps: each of four neighbours takes others.
         let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
-        let level = cloud_level(place, footprint, edge);
+        // A look towards the sun asks as well how high the cloud is there: all octaves count.
+        let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
         let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
         let x = (level.x - edge) / deviation;
         let goes_on = is_fine & !is_lit;
@@ -140,7 +158,13 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
-            var heap = in_heap(height, edge, cloud, level.x, met_excess, mu, is_wide);
+            let facing = select(FACING_MEAN, smoothstep(-TURNED, TURNED, met_over - (level.x - edge)), is_lit);
+            let top = cloud_top(max(max(edge, 0.0) + cloud.excess, level.x), weather.x);
+            let closed = smoothstep(CLOSED_FROM, CLOSED_TO, weather.x);
+            let wideness = select(smoothstep(0.5, 1.0, sight * cloud_pixel() / WIDE_PIXEL), 1.0, is_wide);
+            // Wide pixels hide what is thin in the tops as well.
+            let scatters = CLOUD_SCATTERS * mix(1.0, 0.66, closed) * pow(dense / CLOUD_OPACITY, 0.3);
+            var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
             heap.above = max(closed_ahead, heap.above);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, direction.z);
@@ -151,6 +175,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let stays = !FINE & is_fine & is_cloud;
         met = select(0.0, shade, waits);
         met_excess = cloud.excess;
+        met_over = level.x - edge;
         last_x = select(x, last_x, is_lit);
         let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
@@ -175,6 +200,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     return before(Veil((1.0 - left) * spray, left), veil);
 }
 
+// An eye so near their shell sees less of them: it would be a line, edge on.
+const ICE_THICK: Metres = 500.0;
+
 // Ice clouds between the eye and `far`.
 fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let shell = shell_hits(ray, ICE_HEIGHT);
@@ -183,7 +211,8 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let at = direction * t;
     let mu = sun_cosine(at);
     let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
-    let shade = 1.0 - exp(-ice_optical_depth(cloud_place(at), t * cloud_pixel()) / max(rise, 0.12));
+    let apart = smoothstep(0.0, ICE_THICK, abs(frame.eye_altitude - ICE_HEIGHT));
+    let shade = 1.0 - exp(-apart * ice_optical_depth(cloud_place(at), t * cloud_pixel()) / max(rise, 0.12));
     let air = haze(direction, t);
     let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
     let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;

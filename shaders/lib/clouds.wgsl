@@ -10,12 +10,17 @@
 
 @group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
 
-const CLOUD_TALL = 1.4;             // deviations that make a cloud as high as that
-const CLOUD_SOFT = 0.06;            // deviations over which its edge goes
+const CLOUD_TALL = 1.1;             // deviations that make a cloud as high as that
+const CLOUD_SQUASH = 0.8;           // how much less a high one rises for each more: none is cut off flat at the layer's top
+const CLOUD_SPARE = 0.9;            // deviations of the weather's level from which on it makes clouds no higher
+const CLOUD_SOFT = 0.035;           // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
-const CLOUD_FADE = 0.62;            // variance of each octave, of the one before
-const CLOUD_OCTAVES = 8u;
+// Variance of each octave, of the one before: down to heaps, and of these and what they are made of; and of the first, of all.
+const CLOUD_FADE = 0.9;
+const BILLOW_FADE = 0.5;
+const CLOUD_FIRST = 0.2123;
+const CLOUD_OCTAVES = 9u;
 const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
 const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge: of light that goes on ahead counts as not scattered
 
@@ -66,7 +71,7 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
     var cell = CLOUD_WIDEST;
     let heaps = heaped(weather);
     let variance = CLOUD_VARIANCE * heaps * heaps;
-    var part = variance * (1.0 - CLOUD_FADE) / (1.0 - pow(CLOUD_FADE, f32(CLOUD_OCTAVES)));
+    var part = variance * CLOUD_FIRST;
     var hidden = variance;
     var i = 0u;
     loop {
@@ -75,7 +80,7 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
         sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         cell /= CLOUD_FINER;
-        part *= CLOUD_FADE;
+        part *= select(CLOUD_FADE, BILLOW_FADE, i > CLOUD_BILLOWS);
         i++;
         let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
         if i == CLOUD_OCTAVES || footprint >= 0.7 * cell || is_certain { break; }
@@ -97,30 +102,55 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
     return InCloud(share, min(deviation * (x + 0.3989423 * exp(-0.5 * x * x) / share), 1.5));
 }
 
-// Optical depth of ice clouds straight up at a place: fibres, drawn out along the parallels and bent by the wind.
+const ICE_TUFTS = vec2f(26000.0, 9000.0);       // metres: cells of the tufts
+const ICE_TUFTED = vec2f(0.45, 0.33);           // deviations
+const ICE_TRAILS = vec2f(2600.0, 1000.0);       // metres by which each bends the fibres that fall from it
+const ICE_FIBRES: Metres = 4200.0;              // as far apart are the widest
+const ICE_FIBROUS = 0.3;                        // variance of the logarithm of the depth, of the widest
+
+// How much of what goes on over a cell a footprint shows.
+fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0.15, 0.6, footprint / cell); }
+
+// Optical depth of ice clouds straight up at a place: tufts, from which fibres trail, drawn out along the parallels but bent by the wind and by
+// each tuft its own way, since ice falls from it into other winds. They are many times as dense as the gaps between them.
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let weather = cloud_weather(place).y;
-    let wind = place + 30000.0 * vec3f(cloud_noise(place / 400000.0, 11u), cloud_noise(place / 400000.0, 12u), cloud_noise(place / 250000.0, 13u));
-    let curls = 1500.0 * (1.0 - smoothstep(0.15, 0.6, footprint / 14000.0));
-    let bent = wind + curls * vec3f(0.0, cloud_noise(place / 21000.0, 14u), cloud_noise(place / 14000.0, 15u));
-    let drawn = vec3f(0.3, 0.3, 1.0);
-    var sum = weather;
-    var cell = 16000.0;
-    var part = 0.14;
+    let wind = place + 55000.0 * vec3f(cloud_noise(place / 300000.0, 11u), cloud_noise(place / 300000.0, 12u), cloud_noise(place / 250000.0, 13u));
+    let tufts = vec2f(ice_shown(footprint, ICE_TUFTS.x), ice_shown(footprint, ICE_TUFTS.y))
+        * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.6, 0.6, 1.0) / ICE_TUFTS.y, 15u));
+    let trails = (wind + vec3f(0.0, 0.0, dot(ICE_TRAILS, tufts))) * vec3f(0.14, 0.14, 1.0);
+    let above = max(weather + dot(ICE_TUFTED, tufts), 0.0);
+    var dense = 0.0;
+    var cell = ICE_FIBRES;
+    var part = ICE_FIBROUS;
     var i = 0u;
     loop {
-        sum += sqrt(part) * (1.0 - smoothstep(0.15, 0.6, footprint / cell)) * cloud_noise(bent * drawn / cell, 20u + i);
+        let shown = ice_shown(footprint, cell);
+        // The mean of it is 1, for every footprint.
+        dense += sqrt(part) * shown * cloud_noise(trails / cell, 20u + i) - 0.5 * part * shown * shown;
         cell *= 0.4;
-        part *= 0.7;
+        part *= 0.8;
         i++;
-        if i == 5u || footprint >= 0.6 * cell { break; }
+        if i == 4u || footprint >= 0.6 * cell { break; }
     }
-    let above = max(sum, 0.0);
-    return 0.22 * above * above / (1.0 + 0.5 * above);
+    return 0.22 * exp(dense) * above * above / (1.0 + 0.5 * above);
 }
 
-// The level above which a place at a height, 0 at the base and 1 at the top of the layer, is in cloud: clouds are domes on a level base.
-fn cloud_edge(height: f32) -> f32 { return CLOUD_TALL * height * max(height, 0.0); }
+// How much more than heaps need the weather has where they close. It makes them no higher, so that closed clouds' tops are as uneven as others'.
+fn spare(weather: f32) -> f32 { return max(weather - CLOUD_SPARE, 0.0); }
+
+// The level above which a place at a height, 0 at the base and 1 at the top of the layer, is in cloud, where the weather's is as given: clouds are
+// domes on a level base.
+fn cloud_edge(height: f32, weather: f32) -> f32 {
+    let square = height * max(height, 0.0);
+    return CLOUD_TALL * square / max(1.0 - CLOUD_SQUASH * square, 0.1) + spare(weather) * smoothstep(0.1, 0.6, height);
+}
+
+// And the height of the top that a place's level makes.
+fn cloud_top(level: f32, weather: f32) -> f32 {
+    let heap = max(level - spare(weather), 0.0);
+    return min(sqrt(heap / (CLOUD_TALL + CLOUD_SQUASH * heap)), 1.0);
+}
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
