@@ -19,7 +19,7 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
-    @location(7) grid: vec3f,                          // `grid_at`
+    @location(7) grid: vec4f,                          // `grid_at`, and `scoured_coast`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
 }
@@ -67,12 +67,13 @@ fn vertex(in: Tile) -> Vertex {
     let grid = grid_at(point, sin_lat, spacing);
     var ground = ground_amid(point, sin_lat, spacing, grid);
     if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
+    let scoured = scoured_coast(point, sin_lat);
     var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
     if RUGGED {
         let held = max(spacing, select(2.0, 1.0, FINE) * CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
-        c = country_at(point, sin_lat);
+        c = country_at(point, sin_lat, scoured);
         made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
@@ -87,7 +88,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore);
+        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), vec4f(grid, scoured), shadow_of_vertex(rest, OWN_SHADOWS), shore);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -97,13 +98,13 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
 
-fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f) -> Place {
+fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec4f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid);
+    var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid.xyz);
     // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for
     // the air before them.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
-    return Place(distance, dn, point, part, sin_lat, ground);
+    return Place(distance, dn, point, part, sin_lat, ground, grid.w);
 }
 
 // A lake or a river with the waves that the wind raises over its own fetch: near ones bend its normal. That of the lake around the eye is mostly

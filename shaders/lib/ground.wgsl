@@ -13,6 +13,12 @@
 const BEACH: Metres = 50.0;     // how wide beaches are as a rule
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
+// Coasts that ice has scoured: bare rock and shingle, kelp and rock below the water, no beach but in coves.
+const SCOURED = vec3f(0.105, 0.098, 0.086);
+const SCOURED_BED = vec3f(0.055, 0.058, 0.042);
+const SCOURED_WIDTH = 0.33;      // of their bare shores, of others'
+const COVES = vec2f(0.7, 0.84); // of a noise over 1.2 km, between which shores go over to a cove's
+const SCOURED_SEEN = vec2f(100.0, 400.0);  // widths of pixels, m, between which they are no longer told from others
 
 const WIND_RIPPLES: Metres = 0.11;      // from crest to crest
 const RIPPLED_ALONG = vec2f(0.857, 0.515);      // a way that they lie across
@@ -35,15 +41,15 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
     return across / sqrt(max(abs(dot(direction, up)), 0.05));
 }
 
-// What a pixel shows of the ground, and where.
-struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground }
+// What a pixel shows of the ground, and where. `scoured`: of `scoured_coast`; pixels so wide show nothing of it may have none.
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground, scoured: f32 }
 
 // `sandy`: how much of a beach there may be, between cliffs and snow; none of a bed is one.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 
 // How wide the beach is at a place: by a third to three times of that, over some 100 m to 2 km.
-fn beach_width(at: vec2u) -> Metres {
-    return BEACH * exp(3.0 * (map_noise_rise(at, 15u, 81u).x + map_noise_rise(at, 17u, 82u).x));
+fn beach_width(at: vec2u, scoured: f32) -> Metres {
+    return mix(1.0, SCOURED_WIDTH, scoured) * BEACH * exp(3.0 * (map_noise_rise(at, 15u, 81u).x + map_noise_rise(at, 17u, 82u).x));
 }
 
 // How far a beach is overgrown at a distance from the ocean, of its width: never along a line, but in patches of all sizes.
@@ -103,10 +109,11 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);
     var albedo: vec3f;
     var shaded = normal;
-    let plain_sand = mix(SAND, ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    let scoured = at.scoured * smoothstep(COVES.y, COVES.x, map_noise(point.at, 15u, 83u)) * smoothstep(SCOURED_SEEN.y, SCOURED_SEEN.x, footprint);
+    let plain_sand = mix(mix(SAND, SCOURED, scoured), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / BEACH);
-    var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff);
+    var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * scoured);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
     var flat = 1.0;
@@ -124,7 +131,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             let green = greenness(albedo);
             let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
             let sunlight = sinking(point, -frame.light, up, 0.4);
-            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at);
+            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at, scoured);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
             grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
@@ -152,7 +159,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, bed_colour(-ground.elevation), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), SCOURED_BED, 0.85 * scoured), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);

@@ -30,7 +30,19 @@ fn weighed(n: Neighbours) -> Weighed {
 // data, east and north; `out`: the same of `inland`.
 struct Country { raw: Metres, mean: Metres, island: f32, inland: Metres, way: vec2f, out: vec2f }
 
-fn country_at(point: MapPoint, sin_lat: f32) -> Country {
+// How far ice has scoured the coasts about a place down to rock, 0 to 1.
+fn scoured_coast(point: MapPoint, sin_lat: f32) -> f32 {
+    let page = pages_at(point, RUGGED_SHELF_LEVEL).terrain;
+    let wide = bilinear(false, point, page).x;
+    let n = neighbours(false, point, page);
+    let sea = vec3f(0.0);
+    let bold = weighed(Neighbours(mat3x3f(max(n.rows[0], sea), max(n.rows[1], sea), max(n.rows[2], sea)), n.t)).deviation;
+    return smoothstep(RUGGED_HIGH_LATITUDES.x, RUGGED_HIGH_LATITUDES.y, abs(sin_lat))
+        * max(smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -wide), smoothstep(RUGGED_BOLD.x, RUGGED_BOLD.y, bold));
+}
+
+// `scoured`: of `scoured_coast`.
+fn country_at(point: MapPoint, sin_lat: f32, scoured: f32) -> Country {
     let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
     let page = pages_at(point, min(RUGGED_LEVEL, deepest)).terrain;
     let texel = texel_metres(point, f32(page.level), sin_lat);
@@ -50,9 +62,7 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let coarse_page = pages_at(point, min(RUGGED_ISLAND_LEVEL, deepest)).terrain;
     let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
     let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
-    let wide = bilinear(false, point, pages_at(point, RUGGED_SHELF_LEVEL).terrain).x;
-    let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * smoothstep(RUGGED_HIGH_LATITUDES.x, RUGGED_HIGH_LATITUDES.y, abs(sin_lat))
-        * smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -wide);
+    let rocky = RUGGED_SHELF * scoured * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean));
     // On these the way inland counts for short stretches alone.
     let x = -shore.mean * shore_texel;
     let flattening = 1.0 + x * x / (RUGGED_ROCKY_WIDE * RUGGED_ROCKY_WIDE);

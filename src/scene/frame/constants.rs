@@ -127,6 +127,7 @@ fn relief_numbers() -> String {
     let ranges = [
         ("RUGGED_HIGH_LATITUDES", rugged::HIGH_LATITUDES),
         ("RUGGED_SHELF_DEPTHS", rugged::SHELF_M),
+        ("RUGGED_BOLD", rugged::BOLD_M),
         ("RUGGED_KNOWN", rugged::KNOWN_M),
     ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
