@@ -144,7 +144,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit), weather.x);
         // In clouds it is narrower than the steps: each of four neighbours takes others.
         let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
-        // A look towards the sun asks as well how high the cloud is there: all octaves count.
+        // A look towards the sun asks as well how high the cloud is there, by more octaves than tell whether it is one.
         let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
         let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
         let x = (level.x - edge) / deviation;
@@ -158,10 +158,11 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
-            let facing = select(FACING_MEAN, smoothstep(-TURNED, TURNED, met_over - (level.x - edge)), is_lit);
             let top = cloud_top(max(max(edge, 0.0) + cloud.excess, level.x), weather.x);
             let closed = smoothstep(CLOSED_FROM, CLOSED_TO, weather.x);
             let wideness = select(smoothstep(0.5, 1.0, sight * cloud_pixel() / WIDE_PIXEL), 1.0, is_wide);
+            let turned = smoothstep(-TURNED, TURNED, met_over - (level.x - edge));
+            let facing = select(FACING_MEAN, mix(turned, FACING_MEAN, wideness), is_lit);
             // Wide pixels hide what is thin in the tops as well.
             let scatters = CLOUD_SCATTERS * mix(1.0, 0.66, closed) * pow(dense / CLOUD_OPACITY, 0.3);
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);

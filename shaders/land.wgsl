@@ -73,7 +73,7 @@ fn vertex(in: Tile) -> Vertex {
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
     if RUGGED {
         let held = max(spacing, select(2.0, 1.0, FINE) * CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
-        c = country_at(point, sin_lat, scoured);
+        c = country_at(point, sin_lat);
         made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);

@@ -10,7 +10,7 @@
 
 @group(1) @binding(12) var<storage, read> cloud_levels: array<vec2f>;
 
-const CLOUD_TALL = 1.1;             // deviations that make a cloud as high as that
+const CLOUD_TALL = 1.1;             // deviations over which a low cloud is as high as that
 const CLOUD_SQUASH = 0.8;           // how much less a high one rises for each more: none is cut off flat at the layer's top
 const CLOUD_SPARE = 0.9;            // deviations of the weather's level from which on it makes clouds no higher
 const CLOUD_SOFT = 0.035;           // deviations over which its edge goes
@@ -126,7 +126,7 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     var i = 0u;
     loop {
         let shown = ice_shown(footprint, cell);
-        // The mean of it is 1, for every footprint.
+        // The fibres' mean is 1, for every footprint.
         dense += sqrt(part) * shown * cloud_noise(trails / cell, 20u + i) - 0.5 * part * shown * shown;
         cell *= 0.4;
         part *= 0.8;
@@ -146,7 +146,7 @@ fn cloud_edge(height: f32, weather: f32) -> f32 {
     return CLOUD_TALL * square / max(1.0 - CLOUD_SQUASH * square, 0.1) + spare(weather) * smoothstep(0.1, 0.6, height);
 }
 
-// And the height of the top that a place's level makes.
+// And about the height of the top that a place's level makes: where clouds close, it is right from over the middle of the layer on.
 fn cloud_top(level: f32, weather: f32) -> f32 {
     let heap = max(level - spare(weather), 0.0);
     return min(sqrt(heap / (CLOUD_TALL + CLOUD_SQUASH * heap)), 1.0);

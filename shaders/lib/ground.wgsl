@@ -47,9 +47,9 @@ struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_la
 // `sandy`: how much of a beach there may be, between cliffs and snow; none of a bed is one.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
 
-// How wide the beach is at a place: by a third to three times of that, over some 100 m to 2 km.
-fn beach_width(at: vec2u, scoured: f32) -> Metres {
-    return mix(1.0, SCOURED_WIDTH, scoured) * BEACH * exp(3.0 * (map_noise_rise(at, 15u, 81u).x + map_noise_rise(at, 17u, 82u).x));
+// How wide the beach is at a place: by a third to three times of what is usual, over some 100 m to 2 km.
+fn beach_width(at: vec2u, usual: Metres) -> Metres {
+    return usual * exp(3.0 * (map_noise_rise(at, 15u, 81u).x + map_noise_rise(at, 17u, 82u).x));
 }
 
 // How far a beach is overgrown at a distance from the ocean, of its width: never along a line, but in patches of all sizes.
@@ -109,10 +109,12 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);
     var albedo: vec3f;
     var shaded = normal;
-    let scoured = at.scoured * smoothstep(COVES.y, COVES.x, map_noise(point.at, 15u, 83u)) * smoothstep(SCOURED_SEEN.y, SCOURED_SEEN.x, footprint);
+    var scoured = at.scoured * smoothstep(SCOURED_SEEN.y, SCOURED_SEEN.x, footprint);
+    if scoured > 0.0 { scoured *= smoothstep(COVES.y, COVES.x, map_noise(point.at, 15u, 83u)); }
+    let usual_width = BEACH * mix(1.0, SCOURED_WIDTH, scoured);
     let plain_sand = mix(mix(SAND, SCOURED, scoured), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
     var sand = plain_sand;
-    var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / BEACH);
+    var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * scoured);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
@@ -131,7 +133,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             let green = greenness(albedo);
             let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
             let sunlight = sinking(point, -frame.light, up, 0.4);
-            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at, scoured);
+            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at, usual_width);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
             grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
@@ -165,7 +167,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
         }
     }
-    let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(BEACH / footprint), 0.0, is_bed);
+    let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
     if FINE && GROWTH && !is_bed {
         albedo *= max(1.0 + mix(2.5 * flat, 1.0, bare) * grain.tone, 0.2);

@@ -30,26 +30,32 @@ fn weighed(n: Neighbours) -> Weighed {
 // data, east and north; `out`: the same of `inland`.
 struct Country { raw: Metres, mean: Metres, island: f32, inland: Metres, way: vec2f, out: vec2f }
 
-// How far ice has scoured the coasts about a place down to rock, 0 to 1.
-fn scoured_coast(point: MapPoint, sin_lat: f32) -> f32 {
-    let page = pages_at(point, RUGGED_SHELF_LEVEL).terrain;
-    let wide = bilinear(false, point, page).x;
-    let n = neighbours(false, point, page);
+// Beds count as the sea's level: a deep sea beside a plain makes no mountains of it.
+fn weighed_land(n: Neighbours) -> Weighed {
     let sea = vec3f(0.0);
-    let bold = weighed(Neighbours(mat3x3f(max(n.rows[0], sea), max(n.rows[1], sea), max(n.rows[2], sea)), n.t)).deviation;
-    return smoothstep(RUGGED_HIGH_LATITUDES.x, RUGGED_HIGH_LATITUDES.y, abs(sin_lat))
-        * max(smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -wide), smoothstep(RUGGED_BOLD.x, RUGGED_BOLD.y, bold));
+    return weighed(Neighbours(mat3x3f(max(n.rows[0], sea), max(n.rows[1], sea), max(n.rows[2], sea)), n.t));
 }
 
-// `scoured`: of `scoured_coast`.
-fn country_at(point: MapPoint, sin_lat: f32, scoured: f32) -> Country {
+fn high_latitude(sin_lat: f32) -> f32 { return smoothstep(RUGGED_HIGH_LATITUDES.x, RUGGED_HIGH_LATITUDES.y, abs(sin_lat)); }
+
+// How far the shelf about a place is so deep that ice has left rock on it.
+fn deep_shelf(point: MapPoint) -> f32 {
+    return smoothstep(RUGGED_SHELF_DEPTHS.x, RUGGED_SHELF_DEPTHS.y, -bilinear(false, point, pages_at(point, RUGGED_SHELF_LEVEL).terrain).x);
+}
+
+// How far ice has scoured the coasts about a place down to rock, 0 to 1: those of deep shelves and before mountains.
+fn scoured_coast(point: MapPoint, sin_lat: f32) -> f32 {
+    let high = high_latitude(sin_lat);
+    if high <= 0.0 { return 0.0; }
+    let bold = weighed_land(neighbours(false, point, pages_at(point, RUGGED_SHELF_LEVEL).terrain)).deviation;
+    return high * max(deep_shelf(point), smoothstep(RUGGED_BOLD.x, RUGGED_BOLD.y, bold));
+}
+
+fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
     let page = pages_at(point, min(RUGGED_LEVEL, deepest)).terrain;
     let texel = texel_metres(point, f32(page.level), sin_lat);
-    let n = neighbours(false, point, page);
-    // Beds count as the sea's level: a deep sea beside a plain makes no mountains of it.
-    let sea = vec3f(0.0);
-    let data = weighed(Neighbours(mat3x3f(max(n.rows[0], sea), max(n.rows[1], sea), max(n.rows[2], sea)), n.t));
+    let data = weighed_land(neighbours(false, point, page));
     let slope = data.deviation / (0.5 * texel);
     let rounding = 0.5 * min(data.mean / 16.0, 32.0) / texel;
     let high = smoothstep(700.0, 1500.0, data.mean);
@@ -62,7 +68,7 @@ fn country_at(point: MapPoint, sin_lat: f32, scoured: f32) -> Country {
     let coarse_page = pages_at(point, min(RUGGED_ISLAND_LEVEL, deepest)).terrain;
     let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
     let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
-    let rocky = RUGGED_SHELF * scoured * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean));
+    let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * high_latitude(sin_lat) * deep_shelf(point);
     // On these the way inland counts for short stretches alone.
     let x = -shore.mean * shore_texel;
     let flattening = 1.0 + x * x / (RUGGED_ROCKY_WIDE * RUGGED_ROCKY_WIDE);

@@ -245,12 +245,9 @@ impl Map<'_, '_> {
         let data = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t);
         let Some((metres, t)) = self.neighbours(Layer::Water, shore_z)? else { return Ok(0.0) };
         let inland = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m)), t);
-        let Some((metres, t)) = self.neighbours(Layer::Terrain, rugged::SHELF_LEVEL)? else { return Ok(0.0) };
-        let bold_m = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t).deviation_m;
         let mut mean_of = |z| Ok(self.bilinear(Layer::Terrain, z, self.at)?.unwrap_or_default()[0]);
         let oceanic = rugged::oceanic(mean_of(coarsest)?, coarse_m);
-        let scoured = rugged::scoured(mean_of(rugged::SHELF_LEVEL)?, bold_m, sin_lat);
-        let rocky = rugged::rocky(scoured, data.mean_m);
+        let rocky = rugged::rocky(mean_of(rugged::SHELF_LEVEL)?, data.mean_m, sin_lat);
         let (inland_m, inland_rise) = rugged::counted_inland(inland.mean_m, oceanic, rocky);
         let (lift_m, rise) = rugged::lift(oceanic.max(rocky), inland_m, elevation_m);
         let lift_m = fade * lift_m;

@@ -40,14 +40,15 @@ pub const HIGHEST_M: f64 = 9_000.0;
 pub const ISLAND_LEVEL: u8 = 1;
 /// Level of the water tiles whose distances tell how far inland a place is, smoothly.
 pub const SHORE_LEVEL: u8 = 5;
-/// Sines of 48 and 52 degrees, between which coasts begin that ice has scoured: from there on it has left rock on most islands, and deep water
-/// beside it.
+/// Sines of 48 and 52 degrees, between which islands on shelves begin to be raised: from there on ice has left rock on most of these, and deep
+/// water beside it.
 pub const HIGH_LATITUDES: [f64; 2] = [0.743, 0.788];
-/// Level of the terrain tiles whose mean, of land and sea together, tells how deep such a shelf is. Texels are 156 km wide at the equator.
+/// Level of the terrain tiles whose mean, of land and sea together, tells how deep such a shelf is.
 pub const SHELF_LEVEL: u8 = 0;
-/// How far below the sea that mean is where they begin to be scoured, and are, metres: in shallower seas low land is sand and marsh.
+/// How far below the sea that mean is where they begin to be raised, and are, metres: in shallower seas low land is sand and marsh.
 pub const SHELF_M: [f64; 2] = [65.0, 95.0];
-/// How much the heights of that level deviate where coasts before mountains begin to be scoured, and are, metres: glaciers have come down to these.
+/// How much the heights of that level deviate where coasts begin to be ones that ice has scoured, and are, metres: glaciers have come down from mountains
+/// there, and left rock, also where the shelf is not so deep.
 pub const BOLD_M: [f64; 2] = [50.0, 100.0];
 /// Mean heights of the data between which these know the land, metres.
 pub const KNOWN_M: [f64; 2] = [10.0, 200.0];
@@ -146,16 +147,12 @@ pub fn oceanic(mean_m: f64, texel_m: f64) -> f64 {
     smoothstep(0.5, 0.95, -100.0 * mean_m / texel_m)
 }
 
-/// How far ice has scoured the coasts about a place down to rock, 0 to 1, as on shelves of high latitudes (Faroes, Shetland) and before mountains there
-/// (Norway, Skye, Alaska): of level [`SHELF_LEVEL`] `wide_m` is the mean elevation about it and `bold_m` the deviation of [`Around::of`] it.
-pub fn scoured(wide_m: f64, bold_m: f64, sin_lat: f64) -> f64 {
+/// How far a place is one of rocky islands on a shelf of high latitudes (Faroes, Shetland), 0 to [`SHELF`]: `wide_m` is the mean elevation about it of
+/// level [`SHELF_LEVEL`], `mean_m` that of [`Around::of`].
+pub fn rocky(wide_m: f64, mean_m: f64, sin_lat: f64) -> f64 {
+    let unknown = 1.0 - smoothstep(KNOWN_M[0], KNOWN_M[1], mean_m);
     let high = smoothstep(HIGH_LATITUDES[0], HIGH_LATITUDES[1], sin_lat.abs());
-    high * smoothstep(SHELF_M[0], SHELF_M[1], -wide_m).max(smoothstep(BOLD_M[0], BOLD_M[1], bold_m))
-}
-
-/// How far a place is one of rocky islands, 0 to [`SHELF`], by coasts that are so far [`scoured`]: `mean_m` is that of [`Around::of`].
-pub fn rocky(scoured: f64, mean_m: f64) -> f64 {
-    SHELF * scoured * (1.0 - smoothstep(KNOWN_M[0], KNOWN_M[1], mean_m))
+    SHELF * unknown * high * smoothstep(SHELF_M[0], SHELF_M[1], -wide_m)
 }
 
 /// The way inland that counts for [`lift`], metres, where a place is so far `oceanic` and so far `rocky`, and how that grows by metres inland.

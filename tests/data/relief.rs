@@ -49,8 +49,6 @@ fn mountains_have_the_relief_of_mountains() {
         // Of these the data know next to nothing.
         ("Streymoy, Faroes", [62.12, -7.1], 50.0, 250.0),
         ("Mainland, Shetland", [60.25, -1.3], 20.0, 150.0),
-        // Before mountains, of which the data know, in a sea that is no deep shelf in the mean.
-        ("Islands before Bergen", [60.35, 5.05], 20.0, 150.0),
         ("Scottish Highlands", [56.8, -5.0], 40.0, 200.0),
         ("Appalachians", [37.5, -80.5], 30.0, 150.0),
         ("Queen Maud Mountains, Antarctica", [-84.9, -165.0], 50.0, 300.0),

@@ -160,7 +160,7 @@ fn green_light(renderer: &mut Renderer, link: &str, size: [u32; 2]) -> Vec<f64> 
 }
 
 #[test]
-fn the_tops_of_closed_clouds_are_lit_on_one_side() {
+fn closed_clouds_have_relief_from_above() {
     const SIZE: [u32; 2] = [160, 90];
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     let mut unevenness = Vec::new();
@@ -176,11 +176,11 @@ fn the_tops_of_closed_clouds_are_lit_on_one_side() {
     let mean = unevenness.iter().sum::<f64>() / 3.0;
     println!("the brightness of closed clouds deviates by {unevenness:.3?} of its mean, {mean:.3} on average");
     // Under two level streams, which know no sides, it was 0.143.
-    assert!(mean > 0.18, "{unevenness:?}");
+    assert!((0.18..0.35).contains(&mean), "{unevenness:?}");
 }
 
 #[test]
-fn closed_clouds_are_darker_where_they_are_thicker() {
+fn overcast_skies_have_shades() {
     const SIZE: [u32; 2] = [160, 90];
     /// Pixels: at 30 degrees over the horizon some 60 m, as wide as lobes of clouds are.
     const APART: usize = 4;
@@ -199,7 +199,7 @@ fn closed_clouds_are_darker_where_they_are_thicker() {
     let mean = contrast.iter().sum::<f64>() / contrast.len() as f64;
     println!("places of closed clouds {APART} pixels apart differ by {contrast:.4?}, {mean:.4} on average");
     // Where no sight knew more of a cloud than that it had met one, it was 0.0129.
-    assert!(mean > 0.018, "{contrast:?}");
+    assert!((0.018..0.06).contains(&mean), "{contrast:?}");
 }
 
 #[test]

@@ -71,16 +71,8 @@ fn slopes_are_those_of_the_ground_to_the_east_and_north() {
 }
 
 /// Mountains and islands, places over which the eye stands, and its height over the ground there, metres.
-const MADE: [[f64; 2]; 7] = [
-    [46.52, 8.05],
-    [-17.6, -149.5],
-    [61.3, 7.0],
-    [27.95, 86.8],
-    [38.46, -28.40],
-    [62.12, -7.1],
-    // An island before mountains that are far away.
-    [60.33, 5.12],
-];
+const MADE: [[f64; 2]; 6] =
+    [[46.52, 8.05], [-17.6, -149.5], [61.3, 7.0], [27.95, 86.8], [38.46, -28.40], [62.12, -7.1]];
 
 #[test]
 fn the_ground_that_is_drawn_is_the_one_that_is_sampled_from_any_eye() {

@@ -173,13 +173,7 @@ fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let around = id.ancestor(AROUND).unwrap_or(id);
     let may_be_rocky = metres.least < rugged::KNOWN_M[1] && reaches_high_latitudes(id);
     let sea_m = if may_be_rocky { SHELF_BED_M } else { ISLAND_BED_M };
-    // Heights deviate by half of their range at most.
-    let is_by_mountains = || {
-        let reached = tiles.elevations_m(id, rugged::SHELF_LEVEL);
-        may_be_rocky && reached.is_some_and(|reached| reached.greatest > 2.0 * rugged::BOLD_M[0])
-    };
-    let is_island =
-        tiles.elevations_m(around, around.z).is_some_and(|around| around.least < sea_m) || is_by_mountains();
+    let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < sea_m);
     let range_m = metres.greatest - metres.least.max(0.0);
     (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
 }
