@@ -7,7 +7,7 @@ use crate::data::streaming::Streaming;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::World;
 use crate::error::Result;
-use crate::gpu::drawing::{begin, resume};
+use crate::gpu::drawing::{DepthUse, begin, begin_places, resume};
 use crate::gpu::timing::Stages;
 use crate::gpu::{Gpu, texture};
 use crate::model::optics::DEEP_REFLECTANCE;
@@ -20,7 +20,7 @@ use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
 use crate::pass::land::{GROWTH_M, Land, Near};
 use crate::pass::look::Look;
-use crate::pass::ocean::Ocean;
+use crate::pass::ocean::{Ocean, Shading};
 use crate::pass::rough_table;
 use crate::pass::sky::Sky;
 use crate::pass::sky_table::SkyTable;
@@ -221,10 +221,11 @@ impl Renderer {
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
             let samples = self.targets.as_ref().map_or(1, Targets::samples);
             for kind in [Some(kind), side.below()].into_iter().flatten() {
-                self.ocean.prepare(&self.gpu, mesh, Look::of(frame, kind, side.shows_surf), samples);
+                let look = Look::of(frame, kind, side.shows_surf);
+                self.ocean.prepare(&self.gpu, mesh, look, self.shading(&side, look));
             }
             if side.meshes_lake {
-                self.ocean.prepare(&self.gpu, settings::Mesh::Grid, Look::of_lake(kind), samples);
+                self.ocean.prepare(&self.gpu, settings::Mesh::Grid, Look::of_lake(kind), Shading::OfMesh(samples));
             }
             if let Some(spindrift) = self.spindrift.as_mut().filter(|_| shows_spindrift) {
                 spindrift.prepare(&self.gpu, look, samples);
@@ -306,7 +307,7 @@ impl Renderer {
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));
         let radiance = texture::view(&targets.radiance);
         if self.visible.is_none() {
-            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            let depth = Some(DepthUse::Begun(&targets.depth, wgpu::StoreOp::Discard));
             // Beside the air the sky is black; where a clear colour shall tell what is not drawn, and where something is measured, it is drawn.
             let area = Some(frame.sky_area).filter(|_| self.clear.is_none() && frame.has_light());
             let clear = if area.is_some() { wgpu::Color::BLACK } else { clear };
@@ -321,7 +322,7 @@ impl Renderer {
             drop(pass);
             stages.end(encoder, "globe");
         } else if kind.measured || !kind.under_water {
-            let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
+            let depth = Some(DepthUse::Begun(&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
                 self.land.draw(&mut pass, ground_kind, ground_groups);
@@ -341,13 +342,25 @@ impl Renderer {
                 pass.draw(&mut resume(encoder, "clouds", &targets.scene), clouds.area, [frame_group, surface]);
                 stages.end(encoder, "drawn clouds");
             }
-            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
-            let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, depth);
-            if side.shows_ocean {
-                self.draw_sea(&mut pass, frame, look, targets.samples());
+            let places = self.ocean.places().filter(|_| self.shading(&side, look) == Shading::OfPlaces);
+            let mut depth = DepthUse::Begun(&targets.depth, wgpu::StoreOp::Discard);
+            if let Some(places) = places.filter(|_| side.shows_ocean) {
+                self.draw_sea(
+                    &mut begin_places(encoder, "places", places, &targets.depth),
+                    frame,
+                    look,
+                    Shading::OfPlaces,
+                );
+                depth = DepthUse::Found(&targets.depth);
+            }
+            let mut pass = begin(encoder, "sea", targets.sea(&radiance), clear, Some(depth));
+            if places.is_some() {
+                self.ocean.shade(&mut pass, look, frame_group, surface);
+            } else if side.shows_ocean {
+                self.draw_sea(&mut pass, frame, look, Shading::OfMesh(targets.samples()));
             }
             if let Some(lake) = frame.lake.as_ref().filter(|_| side.meshes_lake) {
-                let lake = (&lake.uniform, Look::of_lake(kind), targets.samples());
+                let lake = (&lake.uniform, Look::of_lake(kind), Shading::OfMesh(targets.samples()));
                 self.ocean.draw(&mut pass, lake, &self.lake_group.group, surface, None);
             }
             self.passes.draw_backdrop(&mut pass, targets);
@@ -363,7 +376,8 @@ impl Renderer {
         }
         if let Some(kind) = side.below() {
             let look = Look::of(frame, kind, false);
-            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, look, targets.samples());
+            let shading = Shading::OfMesh(targets.samples());
+            let sea = |pass: &mut wgpu::RenderPass| self.draw_sea(pass, frame, look, shading);
             let groups = [frame_group, surface];
             let pictures = (&self.passes, targets);
             self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
@@ -375,13 +389,21 @@ impl Renderer {
         self.stages = stages;
     }
 
-    /// Draws the sea's surface of a look, where the frame shows it.
-    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, look: Look, samples: u32) {
+    /// What shades the sea of a look.
+    fn shading(&self, side: &Side, look: Look) -> Shading {
+        if self.ocean.places().is_some() && Shading::of_places(look) && !side.meshes_lake {
+            return Shading::OfPlaces;
+        }
+        Shading::OfMesh(self.targets.as_ref().map_or(1, Targets::samples))
+    }
+
+    /// Draws the sea's mesh of a look, where the frame shows it.
+    fn draw_sea(&self, pass: &mut wgpu::RenderPass, frame: &Frame, look: Look, shading: Shading) {
         if frame.uniform.layers & SHOWS_SEA == 0 {
             return;
         }
         let (frame_group, surface) = (&self.frame_group.group, self.surface.group());
-        self.ocean.draw(pass, (&frame.uniform, look, samples), frame_group, surface, self.mesh.drawn());
+        self.ocean.draw(pass, (&frame.uniform, look, shading), frame_group, surface, self.mesh.drawn());
     }
 
     /// Hands the frame to the GPU. Returns where its eye is.
@@ -400,16 +422,17 @@ impl Renderer {
     /// Makes the textures of the picture's size.
     fn fit(&mut self, frame: &Frame) {
         // From space there are no edges but the limb's, which its own shader makes smooth.
-        let smooth = frame.has_smooth_edges(self.gpu.software)
-            && self.visible.is_some()
-            && self.radiance_format == Radiance::Half.format();
+        let is_picture = self.visible.is_some() && self.radiance_format == Radiance::Half.format();
+        let smooth = is_picture && frame.has_smooth_edges(self.gpu.software);
         let samples = if smooth { SAMPLES } else { 1 };
-        if self.targets.as_ref().is_some_and(|targets| (targets.size, targets.samples()) == (frame.size, samples)) {
+        let places = (is_picture && !smooth && frame.is_fine()).then_some(frame.size);
+        let fits = |targets: &Targets| (targets.size, targets.samples()) == (frame.size, samples);
+        if self.targets.as_ref().is_some_and(fits) && self.ocean.places().is_some() == places.is_some() {
             return;
         }
         let targets = Targets::new(&self.gpu, frame.size, self.radiance_format, samples, &self.passes);
         let caustics = texture::view(&self.below.caustics.map);
-        self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth]);
+        self.ocean.set_scene(&self.gpu, [&targets.scene, &caustics, &targets.scene_depth], places);
         self.below.set_scene(&self.gpu, &targets);
         if let Some(clouds) = &mut self.clouds {
             clouds.set_scene(&targets.scene_depth);

@@ -55,14 +55,14 @@ const RAFT_EDGE: f32 = 0.15;
 const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
-const CREASE: f32 = 0.25;
+const CREASE: f32 = 0.35;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
 // Below foam and film there are bubbles in the water: so many times their opacity.
 const BUBBLES_BELOW: f32 = 3.5;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
-const BUMPS = vec3f(0.026, 0.01, 0.005);
-const BUMPS_THIN: f32 = 0.4;
+const BUMPS = vec3f(0.12, 0.035, 0.012);
+const BUMPS_THIN: f32 = 0.15;
 
 // The inverse of the normal distribution function, within 4.5e-4 (M. Abramowitz and I. Stegun 1964, 26.2.23).
 fn normal_quantile(share: f32) -> f32 {
@@ -123,6 +123,9 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), in_rows, footprint);
     // And one of 1.57 m, for bubbles.
     var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
+    // Storms draw out what is old; what breaks tumbles.
+    let heaps = middle;
+    let froth = bubbles;
     let streaked = STREAKED * storm();
     if streaked.x > 0.0 {
         // Of 136 by 17 m and 14 by 3.5 m.
@@ -142,15 +145,16 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
         of_dense = vec4f(0.8 * rest, 0.2 * rest, masses, MASSES_IN_ROWS);
     }
     let weights = sqrt(of_dense);
-    let dense = dot(weights, levels);
+    let dense_levels = vec4f(heaps.level, levels.yzw);
+    let dense = dot(weights, dense_levels);
     // What creases have in common with the level of dense foam would darken its midst.
     let in_dense = dot(weights.xyz, CREASES.xyz);
-    let crease = (dot(CREASES.xyz, levels.xyz) + CREASES.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
+    let crease = (dot(CREASES.xyz, dense_levels.xyz) + CREASES.w * froth.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
     // Rows have no shape of their own.
     return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), levels), dense),
-        1.0 - vec3f(dot(of_foam, kept), dot(of_film, kept), dot(of_dense, kept)),
-        mat3x2f(middle.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
-        mat3x2f(middle.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
+        1.0 - vec3f(dot(of_foam, kept), dot(of_film, kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
+        mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
+        mat3x2f(heaps.slope, small.slope, froth.slope) * BUMPS / f32(finer), crease);
 }
 
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies

@@ -15,6 +15,15 @@ impl<'a> From<&'a wgpu::TextureView> for Colour<'a> {
     }
 }
 
+/// The depth of a render pass.
+#[derive(Clone, Copy, Debug)]
+pub enum DepthUse<'a> {
+    /// It begins infinitely far, and is kept or not.
+    Begun(&'a wgpu::TextureView, wgpu::StoreOp),
+    /// That which another pass has found; it stays.
+    Found(&'a wgpu::TextureView),
+}
+
 /// A render pass over what a target holds.
 pub fn resume<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
@@ -34,13 +43,36 @@ pub fn resume<'a>(
     })
 }
 
-/// A render pass over one colour target; the depth, where there is one, begins infinitely far and is kept or not.
+/// A render pass that finds what is nearest in each pixel: into two targets, whose texels count where the depth is not infinitely far.
+pub fn begin_places<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    views: &'a [wgpu::TextureView; 2],
+    depth: &wgpu::TextureView,
+) -> wgpu::RenderPass<'a> {
+    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
+    let attachment = |view| wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops };
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &views.each_ref().map(|view| Some(attachment(view))),
+        depth_stencil_attachment: Some(begun(depth, wgpu::StoreOp::Store)),
+        ..Default::default()
+    })
+}
+
+/// A depth that begins infinitely far. It is reversed: 0 is infinitely far.
+fn begun(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    let depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store });
+    wgpu::RenderPassDepthStencilAttachment { view, depth_ops, stencil_ops: None }
+}
+
+/// A render pass over one colour target, and through a depth where there is one.
 pub fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     colour: impl Into<Colour<'a>>,
     clear: wgpu::Color,
-    depth: Option<(&wgpu::TextureView, wgpu::StoreOp)>,
+    depth: Option<DepthUse>,
 ) -> wgpu::RenderPass<'a> {
     let Colour { view, mean } = colour.into();
     let store = if mean.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
@@ -52,11 +84,12 @@ pub fn begin<'a>(
             resolve_target: mean,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
         })],
-        depth_stencil_attachment: depth.map(|(view, store)| wgpu::RenderPassDepthStencilAttachment {
-            view,
-            // Reversed depth: 0 is infinitely far.
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store }),
-            stencil_ops: None,
+        depth_stencil_attachment: depth.map(|depth| match depth {
+            DepthUse::Begun(view, store) => begun(view, store),
+            // What is only tested against is not written.
+            DepthUse::Found(view) => {
+                wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None }
+            }
         }),
         ..Default::default()
     })

@@ -47,6 +47,8 @@ pub enum Bind {
     Storage,
     /// A storage buffer that shaders write.
     StorageWrite,
+    /// A texture of whole numbers, read texel by texel.
+    Words(wgpu::TextureViewDimension),
     /// A texture read through a filtering sampler.
     Texture(wgpu::TextureViewDimension),
     /// A texture read texel by texel.
@@ -68,6 +70,8 @@ pub enum DepthTest {
     Before,
     /// Those of depth 0, where nothing has been drawn.
     Undrawn,
+    /// Those of depth 0, where something has been drawn.
+    Drawn,
 }
 
 /// The depth that a drawing pipeline goes through.
@@ -99,6 +103,7 @@ impl Bind {
             Self::StorageWrite => buffer(B::Storage { read_only: false }),
             Self::Texture(view) => texture(S::Float { filterable: true }, view),
             Self::Texels(view) => texture(S::Float { filterable: false }, view),
+            Self::Words(view) => texture(S::Uint, view),
             Self::Depth => texture(S::Depth, wgpu::TextureViewDimension::D2),
             Self::Write(format, view_dimension) => {
                 T::StorageTexture { access: wgpu::StorageTextureAccess::WriteOnly, format, view_dimension }
@@ -111,12 +116,20 @@ impl Bind {
 impl Gpu {
     /// The layout of one bind group: bindings 0, 1, 2… visible to `stages`.
     pub fn layout(&self, label: &str, stages: wgpu::ShaderStages, binds: &[Bind]) -> wgpu::BindGroupLayout {
+        self.layout_by_stages(label, binds.iter().map(|bind| (*bind, stages)))
+    }
+
+    /// As [`Gpu::layout`], each binding visible to stages of its own.
+    pub fn layout_by_stages(
+        &self,
+        label: &str,
+        binds: impl Iterator<Item = (Bind, wgpu::ShaderStages)>,
+    ) -> wgpu::BindGroupLayout {
         let entries: Vec<_> = binds
-            .iter()
             .enumerate()
-            .map(|(binding, bind)| wgpu::BindGroupLayoutEntry {
+            .map(|(binding, (bind, visibility))| wgpu::BindGroupLayoutEntry {
                 binding: binding as u32,
-                visibility: stages,
+                visibility,
                 ty: bind.binding_type(),
                 count: None,
             })
@@ -206,26 +219,26 @@ impl Gpu {
         target: impl Into<wgpu::ColorTargetState>,
         depth: Option<Depth>,
     ) -> Drawing {
-        self.drawing_smooth(
+        self.drawing_into(
             label,
             (source, vertex),
             groups,
             buffers,
-            target.into(),
+            &[target.into()],
             depth,
             depth.map_or(1, |d| d.samples),
         )
     }
 
-    /// As [`Gpu::drawing`], into a target with so many samples of a pixel, as many as the depth has.
+    /// As [`Gpu::drawing`], into any number of targets with so many samples of a pixel, as many as the depth has.
     #[expect(clippy::too_many_arguments, reason = "those of `drawing` and one more")]
-    pub fn drawing_smooth(
+    pub fn drawing_into(
         &self,
         label: &str,
         (source, vertex): (&str, &str),
         groups: &[&wgpu::BindGroupLayout],
         buffers: &[wgpu::VertexBufferLayout],
-        target: wgpu::ColorTargetState,
+        targets: &[wgpu::ColorTargetState],
         depth: Option<Depth>,
         samples: u32,
     ) -> Drawing {
@@ -235,7 +248,8 @@ impl Gpu {
         let buffers: Vec<_> = buffers.iter().map(|b| (b.array_stride, b.step_mode, b.attributes.to_vec())).collect();
         let (device, name, entry) = (self.device.clone(), label.to_owned(), vertex.to_owned());
         let compiled = self.made.compiled.clone();
-        once(&self.made.drawing, (label, source, vertex, target.clone(), depth, samples), move || {
+        let targets: Vec<_> = targets.iter().cloned().map(Some).collect();
+        once(&self.made.drawing, (label, source, vertex, targets.clone(), depth, samples), move || {
             compiled.fetch_add(1, Relaxed);
             let buffers: Vec<_> = buffers
                 .iter()
@@ -259,6 +273,7 @@ impl Gpu {
                     depth_compare: Some(match test {
                         DepthTest::Nearest | DepthTest::Before => wgpu::CompareFunction::Greater,
                         DepthTest::Undrawn => wgpu::CompareFunction::GreaterEqual,
+                        DepthTest::Drawn => wgpu::CompareFunction::Less,
                     }),
                     stencil: Default::default(),
                     bias: Default::default(),
@@ -268,7 +283,7 @@ impl Gpu {
                     module: &module,
                     entry_point: Some("fragment"),
                     compilation_options: Default::default(),
-                    targets: &[Some(target)],
+                    targets: &targets,
                 }),
                 multiview_mask: None,
                 cache: None,

@@ -1,29 +1,64 @@
 //! The sea: a grid projected from the screen onto the ellipsoid, or the bisected mesh, over the scene that land and sky have left; and a lake, by
 //! the same grid on a surface that is higher.
+//!
+//! Its pixels are dear and its triangles a few pixels wide, of which hardware shades whole squares. So where a pixel has one sample the mesh only
+//! leaves its place in each, and one triangle over the picture shades them: [`Shading`].
 
 use std::collections::HashMap;
 
 use super::look::Look;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, Depth, DepthTest, Drawing};
+use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
-/// The composed shader.
+/// What shades the sea.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Shading {
+    /// The mesh itself, so many samples of each pixel.
+    OfMesh(u32),
+    /// A pass over the places that the mesh has left in the pixels, which have one sample. Only fine pictures from above that show no lake's mesh:
+    /// what is no sea hides what lies behind it there.
+    OfPlaces,
+}
+
+impl Shading {
+    /// Whether the sea of a look may be shaded by its places.
+    pub fn of_places(look: Look) -> bool {
+        look.kind.fine && !look.kind.measured && !look.kind.under_water && !look.lake
+    }
+}
+
+fn definitions(look: Look) -> String {
+    look.definitions() + &format!("const FOAM: bool = {};\n", look.foam)
+}
+
+/// The composed shader, shading the mesh.
 pub fn source(look: Look) -> String {
     if look.lake {
         return shader::composed(include_str!("../../shaders/lake.wgsl"), &look.definitions());
     }
-    let foam = format!("const FOAM: bool = {};\n", look.foam);
-    shader::composed(include_str!("../../shaders/ocean.wgsl"), &(look.definitions() + &foam))
+    shader::composed(include_str!("../../shaders/ocean.wgsl"), &definitions(look))
+}
+
+/// The composed shaders that leave places and shade them.
+pub fn sources_of_places(look: Look) -> [String; 2] {
+    [include_str!("../../shaders/sea_places.wgsl"), include_str!("../../shaders/sea_of_places.wgsl")]
+        .map(|source| shader::composed(source, &definitions(look)))
 }
 
 /// The pass.
 pub struct Ocean {
     layouts: [wgpu::BindGroupLayout; 4],
+    /// Of the scene and the places.
+    places_layout: wgpu::BindGroupLayout,
     formats: [wgpu::TextureFormat; 2],
-    pipelines: HashMap<(Mesh, Look, u32), Drawing>,
+    pipelines: HashMap<(Mesh, Look, Shading), Drawing>,
+    /// What shades places.
+    shades: HashMap<Look, Drawing>,
+    places: Option<Places>,
     scene: Option<wgpu::BindGroup>,
     /// What stands in its place for an eye in the water.
     below: Option<wgpu::BindGroup>,
@@ -31,6 +66,16 @@ pub struct Ocean {
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
+}
+
+/// Of two texels of a pixel, see `shaders/lib/places.wgsl`: as much as the default limits let a pass write.
+const PLACES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
+
+/// Where the mesh is in each pixel.
+struct Places {
+    views: [wgpu::TextureView; 2],
+    /// With the scene.
+    group: wgpu::BindGroup,
 }
 
 /// Columns and rows of the grid of a picture of `size` pixels.
@@ -87,11 +132,17 @@ impl Ocean {
     ) -> Self {
         let binds = [Bind::Texels(wgpu::TextureViewDimension::D2), Bind::Depth];
         let scene = gpu.layout("scene", wgpu::ShaderStages::FRAGMENT, &binds);
+        let [colour, depth] = binds;
+        let binds = [colour, depth, Bind::Words(wgpu::TextureViewDimension::D2Array)];
+        let places_layout = gpu.layout("places", wgpu::ShaderStages::FRAGMENT, &binds);
         let empty = |usage| gpu.empty_buffer("sea grid", usage, 4);
         Self {
             layouts: [frame.clone(), surface.clone(), scene, triangles.clone()],
+            places_layout,
             formats,
             pipelines: Default::default(),
+            shades: Default::default(),
+            places: None,
             scene: None,
             below: None,
             cells: [0; 2],
@@ -101,10 +152,18 @@ impl Ocean {
         }
     }
 
-    /// Compiles what a mesh is drawn with, so many samples of each pixel, once: it takes a while, and most pictures need only one of them.
-    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look, samples: u32) {
-        let Self { layouts, formats: [colour, depth], pipelines, .. } = self;
-        pipelines.entry((mesh, look, samples)).or_insert_with(|| {
+    /// Compiles what a mesh is drawn and shaded with, once: it takes a while, and most pictures need only one of them.
+    pub fn prepare(&mut self, gpu: &Gpu, mesh: Mesh, look: Look, shading: Shading) {
+        let Self { layouts, places_layout, formats: [colour, depth], pipelines, shades, .. } = self;
+        let tested = |test, samples| Some(Depth { format: *depth, test, samples });
+        if shading == Shading::OfPlaces {
+            shades.entry(look).or_insert_with(|| {
+                let [_, source] = sources_of_places(look);
+                let groups = [&layouts[0], &layouts[1], &*places_layout];
+                gpu.drawing("sea of places", (&source, "vertex"), &groups, &[], *colour, tested(DepthTest::Drawn, 1))
+            });
+        }
+        pipelines.entry((mesh, look, shading)).or_insert_with(|| {
             let attributes = wgpu::vertex_attr_array![0 => Float32x2];
             let grid = wgpu::VertexBufferLayout {
                 array_stride: 8,
@@ -116,19 +175,41 @@ impl Ocean {
                 Mesh::Bisect => ("vertex_of_bisection", 4, Vec::new()),
             };
             let groups: Vec<_> = layouts.iter().take(groups).collect();
-            gpu.drawing(
-                "ocean",
-                (&source(look), vertex),
-                &groups,
-                &buffers,
-                *colour,
-                Some(Depth { format: *depth, test: DepthTest::Nearest, samples }),
-            )
+            let nearest = |samples| tested(DepthTest::Nearest, samples);
+            match shading {
+                Shading::OfMesh(samples) => {
+                    gpu.drawing("ocean", (&source(look), vertex), &groups, &buffers, *colour, nearest(samples))
+                }
+                Shading::OfPlaces => {
+                    let [source, _] = sources_of_places(look);
+                    let targets = [0, 1].map(|_| PLACES_FORMAT.into());
+                    gpu.drawing_into("places", (&source, vertex), &groups, &buffers, &targets, nearest(1), 1)
+                }
+            }
         });
     }
 
-    /// Takes the scene's colour and depth, and the map of caustics, which an eye in the water sees in the colour's place.
-    pub fn set_scene(&mut self, gpu: &Gpu, [colour, caustics, depth]: [&wgpu::TextureView; 3]) {
+    /// Where places go, where there are any.
+    pub fn places(&self) -> Option<&[wgpu::TextureView; 2]> {
+        self.places.as_ref().map(|places| &places.views)
+    }
+
+    /// Takes the scene's colour and depth, and the map of caustics, which an eye in the water sees in the colour's place; makes places for a picture
+    /// of so many pixels, where the sea is shaded by them.
+    pub fn set_scene(
+        &mut self,
+        gpu: &Gpu,
+        [colour, caustics, depth]: [&wgpu::TextureView; 3],
+        places: Option<[u32; 2]>,
+    ) {
+        self.places = places.map(|[width, height]| {
+            let shape = Shape { depth: 2, ..Shape::picture(width, height) };
+            let places = gpu.texture("places", shape, PLACES_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
+            let whole = texture::array_view(&places);
+            let group = [colour, depth, &whole].map(wgpu::BindingResource::TextureView);
+            let views = [0, 1].map(|layer| texture::layer_view(&places, layer));
+            Places { views, group: gpu.bind("places", &self.places_layout, &group) }
+        });
         let group =
             |colour| gpu.bind("scene", &self.layouts[2], &[colour, depth].map(wgpu::BindingResource::TextureView));
         (self.scene, self.below) = (Some(group(colour)), Some(group(caustics)));
@@ -151,17 +232,34 @@ impl Ocean {
         [self.cells.map(|n| n + 1).iter().product(), self.index_count / 3]
     }
 
+    /// Shades the places that [`Ocean::draw`] has left, one draw.
+    pub fn shade(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        look: Look,
+        frame_group: &wgpu::BindGroup,
+        surface: &wgpu::BindGroup,
+    ) {
+        let (Some(pipeline), Some(places)) = (self.shades.get(&look), &self.places) else { return };
+        pass.set_pipeline(pipeline);
+        [frame_group, surface, &places.group]
+            .into_iter()
+            .zip(0..)
+            .for_each(|(group, i)| pass.set_bind_group(i, group, &[]));
+        pass.draw(0..3, 0..1);
+    }
+
     /// One draw of the grid, or of `triangles`: their bind group and the arguments of the draw. `frame_group` holds the frame's `block`.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
-        (block, look, samples): (&FrameUniform, Look, u32),
+        (block, look, shading): (&FrameUniform, Look, Shading),
         frame_group: &wgpu::BindGroup,
         surface: &wgpu::BindGroup,
         triangles: Option<(&wgpu::BindGroup, &wgpu::Buffer)>,
     ) {
         let mesh = if triangles.is_some() { Mesh::Bisect } else { Mesh::Grid };
-        let Some(pipeline) = self.pipelines.get(&(mesh, look, samples)) else { return };
+        let Some(pipeline) = self.pipelines.get(&(mesh, look, shading)) else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, surface, &[]);

@@ -2,7 +2,7 @@
 
 use super::side::Side;
 use super::targets::{DEPTH_FORMAT, Passes, Radiance, Targets};
-use crate::gpu::drawing::{begin, resume};
+use crate::gpu::drawing::{DepthUse, begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::pass::bed_light::BedLight;
 use crate::pass::caustics::{Caustics, Rays};
@@ -85,13 +85,13 @@ impl Below {
         let rays = if is_even { Rays::Even } else { Rays::InWater };
         self.caustics.draw(encoder, rays, frame_group, surface);
         {
-            let depth = Some((&targets.scene_depth, wgpu::StoreOp::Store));
+            let depth = Some(DepthUse::Begun(&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "deep", &targets.scene, clear, depth);
             self.deep.draw(&mut pass, kind, frame_group, surface);
         }
         let radiance = texture::view(&targets.radiance);
         {
-            let depth = Some((&targets.depth, wgpu::StoreOp::Discard));
+            let depth = Some(DepthUse::Begun(&targets.depth, wgpu::StoreOp::Discard));
             let mut pass = begin(encoder, "sea from below", targets.sea(into.unwrap_or(&radiance)), clear, depth);
             sea(&mut pass);
             passes.draw_backdrop(&mut pass, targets);

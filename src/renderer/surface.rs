@@ -67,7 +67,9 @@ impl Surface {
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
         binds.extend([Bind::Storage; 4]);
-        let layout = gpu.layout("surface", stages, &binds);
+        // No pixel looks up where the water has moved: that leaves the sea's shader room for one texture more (16 are allowed).
+        let visible = |binding| if binding == 0 { stages - wgpu::ShaderStages::FRAGMENT } else { stages };
+        let layout = gpu.layout_by_stages("surface", binds.into_iter().enumerate().map(|(i, bind)| (bind, visible(i))));
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);
         let perlin = Perlin::new(gpu);
         let foam = Foam::new(gpu, frame, &layout);

@@ -23,6 +23,7 @@ mod gusts;
 mod kernel;
 mod lake;
 mod modes;
+mod places;
 mod plants;
 mod pool;
 mod precision;

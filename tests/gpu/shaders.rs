@@ -74,6 +74,9 @@ pub fn all() -> Vec<(&'static str, String)> {
     all.extend(bed_light::kinds().map(|kind| ("bed_light.wgsl", bed_light::source(kind))));
     all.extend(deep::kinds().map(|kind| ("deep.wgsl", deep::source(kind))));
     all.extend(Look::all().map(|look| (if look.lake { "lake.wgsl" } else { "ocean.wgsl" }, ocean::source(look))));
+    let placed = Look::all().filter(|look| ocean::Shading::of_places(*look));
+    let files = ["sea_places.wgsl", "sea_of_places.wgsl"];
+    all.extend(placed.flat_map(|look| files.into_iter().zip(ocean::sources_of_places(look))));
     all.extend(spindrift::looks().map(|look| ("plumes.wgsl", spindrift::plumes_source(look))));
     all.extend(transforms);
     all

@@ -1,0 +1,35 @@
+// What a pixel has of the sea's mesh, and how two texels of four words keep it: what is known of its place need not be kept, the way there by its
+// distance, its height over the water at rest by both, the shadow of clouds by the place.
+#import ellipsoid
+
+// What a pixel has of the sea's mesh, as its vertices have it (sea_vertex.wgsl); `right` and `down`: the way over the water at rest to the next one.
+struct Patch {
+    rest: vec3f,
+    moved: vec3f,
+    height: Metres,
+    incoming: Metres,
+    shadow: vec3f,
+    grid: vec3f,
+    ahead: vec2f,
+    right: Metres,
+    down: Metres,
+}
+
+struct Places { @location(0) rest: vec4u, @location(1) rest_of_it: vec4u }
+
+fn packed(in: Patch) -> Places {
+    let ways = log2(max(vec2f(in.right, in.down), vec2f(1e-4)));
+    return Places(vec4u(bitcast<vec3u>(in.rest), bitcast<u32>(dot(in.moved, frame.ray_forward))),
+        vec4u(pack2x16float(ways), pack2x16float(in.ahead), pack2x16float(in.grid.xy), pack2x16float(vec2f(in.grid.z, in.incoming))));
+}
+
+fn unpacked(places: Places, pixel: vec2u) -> Patch {
+    let rest = bitcast<vec3f>(places.rest.xyz);
+    let device = vec2f(2.0, -2.0) * ((vec2f(pixel) + 0.5) / frame.viewport - 0.5);
+    let moved = bitcast<f32>(places.rest.w) * (frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    let ways = exp2(unpack2x16float(places.rest_of_it.x));
+    let last = unpack2x16float(places.rest_of_it.w);
+    let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
+    return Patch(rest, moved, dot(moved - rest, up), last.y, vec3f(0.0), vec3f(unpack2x16float(places.rest_of_it.z), last.x),
+        unpack2x16float(places.rest_of_it.y), ways.x, ways.y);
+}
