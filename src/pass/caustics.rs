@@ -92,7 +92,15 @@ impl Caustics {
         let groups = [frame, surface];
         let pipeline = |rays| {
             let grid = std::slice::from_ref(&grid);
-            gpu.drawing_into("caustics", (&source(rays), "vertex"), &groups, grid, std::slice::from_ref(&target), None, SAMPLES)
+            gpu.drawing_into(
+                "caustics",
+                (&source(rays), "vertex"),
+                &groups,
+                grid,
+                std::slice::from_ref(&target),
+                None,
+                SAMPLES,
+            )
         };
         Self {
             pipelines: Rays::DRAWN.map(pipeline),
