@@ -1,5 +1,5 @@
-// The sea, shaded where its mesh is drawn: in pictures whose pixels have several samples, measured layers, and for an eye in it. Others are drawn by
-// sea_places.wgsl and sea_of_places.wgsl.
+// The sea, shaded where its mesh is drawn: in coarse pictures and large ones, in those whose pixels have several samples or that show a lake's mesh, in measured
+// layers, and for an eye in it. Others are drawn by sea_places.wgsl and sea_of_places.wgsl.
 #import sea_vertex
 #import sea_pixel
 

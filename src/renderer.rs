@@ -342,9 +342,10 @@ impl Renderer {
                 pass.draw(&mut resume(encoder, "clouds", &targets.scene), clouds.area, [frame_group, surface]);
                 stages.end(encoder, "drawn clouds");
             }
-            let places = self.ocean.places().filter(|_| self.shading(&side, look) == Shading::OfPlaces);
+            let is_placed = side.shows_ocean && self.shading(&side, look) == Shading::OfPlaces;
+            let places = self.ocean.places().filter(|_| is_placed);
             let mut depth = DepthUse::Begun(&targets.depth, wgpu::StoreOp::Discard);
-            if let Some(places) = places.filter(|_| side.shows_ocean) {
+            if let Some(places) = places {
                 self.draw_sea(
                     &mut begin_places(encoder, "places", places, &targets.depth),
                     frame,
@@ -425,7 +426,7 @@ impl Renderer {
         let is_picture = self.visible.is_some() && self.radiance_format == Radiance::Half.format();
         let smooth = is_picture && frame.has_smooth_edges(self.gpu.software);
         let samples = if smooth { SAMPLES } else { 1 };
-        let places = (is_picture && !smooth && frame.is_fine()).then_some(frame.size);
+        let places = (is_picture && !smooth && frame.keeps_places()).then_some(frame.size);
         let fits = |targets: &Targets| (targets.size, targets.samples()) == (frame.size, samples);
         if self.targets.as_ref().is_some_and(fits) && self.ocean.places().is_some() == places.is_some() {
             return;

@@ -1,5 +1,5 @@
 // What a pixel has of the sea's mesh, and how two texels of four words keep it: what is known of its place need not be kept, the way there by its
-// distance, its height over the water at rest by both, the shadow of clouds by the place.
+// distance, its height over the water at rest by both, the shadow of clouds by the place (in fine pictures, which alone are drawn so).
 #import ellipsoid
 
 // What a pixel has of the sea's mesh, as its vertices have it (sea_vertex.wgsl); `right` and `down`: the way over the water at rest to the next one.
@@ -30,6 +30,8 @@ fn unpacked(places: Places, pixel: vec2u) -> Patch {
     let ways = exp2(unpack2x16float(places.rest_of_it.x));
     let last = unpack2x16float(places.rest_of_it.w);
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
-    return Patch(rest, moved, dot(moved - rest, up), last.y, vec3f(0.0), vec3f(unpack2x16float(places.rest_of_it.z), last.x),
+    // Where waves are smaller than pixels the bisected mesh is lifted, by no wave.
+    let height = select(dot(moved - rest, up), 0.0, waves_are_pixels(length(moved)));
+    return Patch(rest, moved, height, last.y, vec3f(0.0), vec3f(unpack2x16float(places.rest_of_it.z), last.x),
         unpack2x16float(places.rest_of_it.y), ways.x, ways.y);
 }

@@ -67,7 +67,7 @@ impl Surface {
         // The foam map is read texel by texel.
         binds[4] = Bind::Texels(D2);
         binds.extend([Bind::Storage; 4]);
-        // No pixel looks up where the water has moved: that leaves the sea's shader room for one texture more (16 are allowed).
+        // No pixel looks up where the water has moved: that leaves the sea's shader room for the places of its mesh, the last of 16 textures that are allowed.
         let visible = |binding| if binding == 0 { stages - wgpu::ShaderStages::FRAGMENT } else { stages };
         let layout = gpu.layout_by_stages("surface", binds.into_iter().enumerate().map(|(i, bind)| (bind, visible(i))));
         let fft = Fft::new(gpu, SAMPLES, CASCADES, Precision::Half).sharpened(true);

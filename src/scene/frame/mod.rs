@@ -111,6 +111,8 @@ const NEVER_M: f32 = 1e30;
 
 /// Pixels of the largest picture whose pixels have several samples, 48 bytes each. Larger ones have pixels enough.
 const MOST_SMOOTH: u64 = 2560 * 1600;
+/// And of the largest whose pixels keep the place of the sea's mesh, 32 bytes each: as much memory.
+const MOST_PLACED: u64 = MOST_SMOOTH * 48 / 32;
 
 /// Cells along a side of the projected grid, at most: with two triangles each two million of them.
 const MOST_CELLS: u32 = 1024;
@@ -222,7 +224,16 @@ impl Frame {
     /// Whether the edges of waves are smooth: pixels have several samples. To a software rasteriser these cost nearly as much as the
     /// picture does without, as triangles are few pixels wide.
     pub fn has_smooth_edges(&self, software: bool) -> bool {
-        self.is_rich(software) && self.has_light() && u64::from(self.size[0]) * u64::from(self.size[1]) <= MOST_SMOOTH
+        self.is_rich(software) && self.has_light() && self.pixels() <= MOST_SMOOTH
+    }
+
+    /// Whether pixels of one sample keep the place of the sea's mesh, so that each is shaded once.
+    pub fn keeps_places(&self) -> bool {
+        self.is_fine() && self.has_light() && self.pixels() <= MOST_PLACED
+    }
+
+    fn pixels(&self) -> u64 {
+        u64::from(self.size[0]) * u64::from(self.size[1])
     }
 
     /// Metres of the eye over the water of a depth in metres, which holds waves up to a part of that; by a shore, over that of the trains with as
