@@ -1,7 +1,11 @@
 // Where the mesh of the sea is in each pixel, for sea_of_places.wgsl: triangles are a few pixels wide, and hardware shades whole squares of pixels for each
 // of them, so that a pixel would be shaded several times.
 #import sea_vertex
-#import sea_pixel
+#import places
+
+@group(2) @binding(1) var scene_depth: texture_depth_2d;
+
+const MIRRORS_CLOUDS = FINE;
 
 @fragment
 fn fragment(in: Vertex) -> Places {

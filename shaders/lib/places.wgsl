@@ -15,7 +15,7 @@ struct Patch {
     down: Metres,
 }
 
-struct Places { @location(0) rest: vec4u, @location(1) rest_of_it: vec4u }
+struct Places { @location(0) first: vec4u, @location(1) second: vec4u }
 
 fn packed(in: Patch) -> Places {
     let ways = log2(max(vec2f(in.right, in.down), vec2f(1e-4)));
@@ -24,14 +24,14 @@ fn packed(in: Patch) -> Places {
 }
 
 fn unpacked(places: Places, pixel: vec2u) -> Patch {
-    let rest = bitcast<vec3f>(places.rest.xyz);
+    let rest = bitcast<vec3f>(places.first.xyz);
     let device = vec2f(2.0, -2.0) * ((vec2f(pixel) + 0.5) / frame.viewport - 0.5);
-    let moved = bitcast<f32>(places.rest.w) * (frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
-    let ways = exp2(unpack2x16float(places.rest_of_it.x));
-    let last = unpack2x16float(places.rest_of_it.w);
+    let moved = bitcast<f32>(places.first.w) * (frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
+    let ways = exp2(unpack2x16float(places.second.x));
+    let last = unpack2x16float(places.second.w);
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);
     // Where waves are smaller than pixels the bisected mesh is lifted, by no wave.
     let height = select(dot(moved - rest, up), 0.0, waves_are_pixels(length(moved)));
-    return Patch(rest, moved, height, last.y, vec3f(0.0), vec3f(unpack2x16float(places.rest_of_it.z), last.x),
-        unpack2x16float(places.rest_of_it.y), ways.x, ways.y);
+    return Patch(rest, moved, height, last.y, vec3f(0.0), vec3f(unpack2x16float(places.second.z), last.x),
+        unpack2x16float(places.second.y), ways.x, ways.y);
 }

@@ -1,5 +1,5 @@
 // Where the water's vertices are, of either mesh: on the ellipsoid, or as far over it as a lake, moved by the waves along its normal. Who
-// imports this declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as ocean.wgsl does.
+// imports this declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as sea_pixel.wgsl does.
 #import projected_grid
 #import bisected_mesh
 #import world

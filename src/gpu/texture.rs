@@ -77,23 +77,12 @@ pub fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
     })
 }
 
-/// A layer of an array, as a picture.
-pub fn layer_view(texture: &wgpu::Texture, layer: u32) -> wgpu::TextureView {
+/// The first mip level of a layer, as a picture.
+pub fn picture_view(texture: &wgpu::Texture, layer: u32) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         dimension: Some(wgpu::TextureViewDimension::D2),
-        base_array_layer: layer,
-        array_layer_count: Some(1),
-        ..Default::default()
-    })
-}
-
-/// One mip level of the first layer, as a picture.
-pub fn picture_view(texture: &wgpu::Texture, mip: u32) -> wgpu::TextureView {
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        dimension: Some(wgpu::TextureViewDimension::D2),
-        base_mip_level: mip,
         mip_level_count: Some(1),
-        base_array_layer: 0,
+        base_array_layer: layer,
         array_layer_count: Some(1),
         ..Default::default()
     })

@@ -207,7 +207,7 @@ impl Ocean {
             let places = gpu.texture("places", shape, PLACES_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
             let whole = texture::array_view(&places);
             let group = [colour, depth, &whole].map(wgpu::BindingResource::TextureView);
-            let views = [0, 1].map(|layer| texture::layer_view(&places, layer));
+            let views = [0, 1].map(|layer| texture::picture_view(&places, layer));
             Places { views, group: gpu.bind("places", &self.places_layout, &group) }
         });
         let group =
