@@ -77,7 +77,7 @@ fn known(slot: vec2i, before: vec4f, young: vec4f, level: u32) -> vec2f {
         let texels = frame.foam_levels[coarser].fraction + at;
         if is_known(frame.foam_levels[coarser].texel + vec2i(floor(texels)), coarser) {
             let origin = frame.foam_levels[coarser].texel;
-            return vec2f(foam_between(origin, texels, coarser, ALL_FOAM), foam_between(origin, texels, coarser, YOUNG_FOAM));
+            return vec2f(foam_between(origin, texels, coarser, ALL_FOAM).x, foam_between(origin, texels, coarser, YOUNG_FOAM).x);
         }
     }
     return vec2f(0.0);

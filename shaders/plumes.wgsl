@@ -62,7 +62,7 @@ fn tear(@builtin(global_invocation_id) id: vec3u) {
     let grazing = max(frame.eye_altitude / max(far, 1e-3), 0.03);
     let place = placed(rest, far * frame.pixel_angle * frame.cell_pixels * inverseSqrt(grazing));
     let height = place.allowed * place.sea.height;
-    let young = height * foam_share(offset, place.height, place.sea.height, max(far * frame.pixel_angle, 0.3 * level.side), true).y;
+    let young = height * foam_share(offset, place.height, place.sea.height, max(far * frame.pixel_angle, 0.3 * level.side), true).young;
     let crest = smoothstep(CRESTS_IN.x, CRESTS_IN.y, place.height / max(frame.wave_height, 0.1));
     let distance = length(place.moved);
     let size = (SIZES.x + SIZES.y * random.w) * vec2f(dot(LENGTHS[square], vec2f(1.0, frame.wave_height)), dot(WIDTHS[square], vec2f(1.0, frame.wave_height)));

@@ -513,6 +513,11 @@ impl Renderer {
     pub fn radiance(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|targets| &targets.radiance)
     }
+
+    /// Where the sea's mesh is in each pixel of the last frame that was shaded by that, two layers, see `shaders/lib/places.wgsl`.
+    pub fn places(&self) -> Option<&wgpu::Texture> {
+        self.ocean.places().map(|[first, _]| first.texture())
+    }
 }
 
 /// What stands where neither land nor sea covers a pixel that one of them should: the light of a deep sea, as faint as it is seen

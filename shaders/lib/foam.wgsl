@@ -30,9 +30,9 @@ fn share_from_afar(height: Metres, local: f32, footprint: Metres) -> f32 {
     return share_beyond(height, local, footprint);
 }
 
-// The map between four texels, in full precision: samplers' weights have eight bits and differ from one driver to the next, which the
-// edges of the lace would show. `texels`: from the corner of the eye's texel; `part`: ALL_FOAM or YOUNG_FOAM.
-fn foam_between(origin: vec2i, texels: vec2f, level: u32, part: vec2i) -> f32 {
+// The map between four texels (x), and its slope per texel (yz), in full precision: samplers' weights have eight bits and differ from one driver to
+// the next, which the edges of the lace would show. `texels`: from the corner of the eye's texel; `part`: ALL_FOAM or YOUNG_FOAM.
+fn foam_between(origin: vec2i, texels: vec2f, level: u32, part: vec2i) -> vec3f {
     let v = texels - 0.5;
     let cell = origin + vec2i(floor(v));
     let f = v - floor(v);
@@ -41,7 +41,7 @@ fn foam_between(origin: vec2i, texels: vec2f, level: u32, part: vec2i) -> f32 {
     let b = textureLoad(foam_map, ((cell + vec2i(1, 0)) & mask) + part, 0)[level];
     let c = textureLoad(foam_map, ((cell + vec2i(0, 1)) & mask) + part, 0)[level];
     let d = textureLoad(foam_map, ((cell + vec2i(1, 1)) & mask) + part, 0)[level];
-    return mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
+    return vec3f(mix(mix(a, b, f.x), mix(c, d, f.x), f.y), mix(b - a, d - c, f.y), mix(c - a, d - b, f.x));
 }
 
 // Weight of a level whose texels are as wide as `side`: 1 for footprints under 0.35 of that, 0 over 2.5 times that. Even in the
@@ -53,16 +53,20 @@ fn coarser_than(side: Metres, footprint: Metres) -> f32 {
 // Young foam where its history is not known: as much of all foam as in the mean over a sea.
 fn usual_young(share: f32) -> f32 { return 0.38 * share; }
 
-// Shares covered, 0…1, of a rest point with the water at `height`: by all foam, and by young foam, which is sought if `aged`. Each level serves as far as it reaches and while its texels are
+// Shares covered, 0…1: by all foam, and by young foam, whose share rises by `slope` per metre in the map's plane.
+struct FoamShare { all: f32, young: f32, slope: vec2f }
+
+// Those of a rest point with the water at `height`; young foam is sought if `aged`. Each level serves as far as it reaches and while its texels are
 // not much finer than the footprint; what no level serves has the share that the wind asks for.
-fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bool) -> vec2f {
+fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bool) -> FoamShare {
     let afar = share_from_afar(height, local, footprint);
-    let beyond = vec2f(afar, usual_young(afar));
+    let beyond = FoamShare(afar, usual_young(afar), vec2f(0.0));
     if frame.foam_rule != FOAM_FOLDS { return beyond; }
     // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.
     let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
     var open = 1.0;
-    var share = vec2f(0.0);
+    var all = 0.0;
+    var young = vec3f(0.0);
     var first = 0u;
     while first + 1u < FOAM_LEVELS && coarser_than(frame.foam_levels[first].side, footprint) <= 0.0 { first++; }
     var level = first;
@@ -72,14 +76,14 @@ fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bo
         let weight = open * (1.0 - smoothstep(0.75, 0.95, reach)) * coarser_than(here.side, footprint);
         if weight > 0.0 {
             let texels = here.fraction + at / here.side;
-            share.x += weight * foam_between(here.texel, texels, level, ALL_FOAM);
-            if aged { share.y += weight * foam_between(here.texel, texels, level, YOUNG_FOAM); }
+            all += weight * foam_between(here.texel, texels, level, ALL_FOAM).x;
+            if aged { young += weight * foam_between(here.texel, texels, level, YOUNG_FOAM) * vec2f(1.0, 1.0 / here.side).xyy; }
         }
         open -= weight;
         level++;
         if level == FOAM_LEVELS || open <= 0.0 { break; }
     }
-    return mix(beyond, share + open * beyond, shown);
+    return FoamShare(mix(beyond.all, all + open * beyond.all, shown), mix(beyond.young, young.x + open * beyond.young, shown), shown * young.yz);
 }
 
 // How thick the whitewater of a breaking crest is, of its length (J. Duncan 1981), and the variance of the slopes of the waves that it lies on.

@@ -34,7 +34,7 @@ const ROWS = vec2f(0.45, 0.72);
 const NETS = vec3f(0.42, 0.2, 0.38);
 // Storms draw foam out along the wind: parts of the middle net and of the bubbles that streaks have then, and shares of the water that break at which it
 // begins and ends.
-const STREAKED = vec2f(0.7, 0.2);
+const STREAKED = vec2f(0.7, 0.5);
 const STREAKED_IN = vec2f(0.05, 0.2);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
@@ -52,7 +52,7 @@ const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film.
-const RAFTS_SHOW = vec3f(0.8, 0.3, 0.9);
+const RAFTS_SHOW = vec4f(0.8, 0.3, 0.9, 0.55);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.35;
@@ -207,7 +207,7 @@ fn shade_of(rise: f32, thick: f32, deviation: f32, fine: bool) -> f32 {
 // What is seen of rafts where foam covers a share, and of the film's.
 fn shown_rafts(share: f32, rafts: vec2f, fine: bool) -> vec2f {
     if !fine { return rafts; }
-    return mix(vec2f(1.0), rafts, vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), RAFTS_SHOW.z));
+    return mix(vec2f(1.0), rafts, vec2f(mix(RAFTS_SHOW.x, RAFTS_SHOW.y, smoothstep(0.03, 0.3, share)), mix(RAFTS_SHOW.z, RAFTS_SHOW.w, storm())));
 }
 
 // Foam that the lace makes of a share, dense from a level on; `height` is what depth and lee leave of the open sea's.

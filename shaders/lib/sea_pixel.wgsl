@@ -7,6 +7,7 @@
 #import held
 #import shore_trains
 #import lace
+#import rollers
 #import limb
 #import crest_pixels
 #import gusts
@@ -143,7 +144,8 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        var shares = whitened * foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
+        let lies = foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
+        var shares = whitened * vec2f(lies.all, lies.young);
         let width = faced * footprint;
         var seen = lace_at(foam_at, mix(width, STREAKS_BLUR * max(width, 0.5 * max(right, down)), storm()), 1, FINE);
         var dense = usually_dense_from(shares.x);
@@ -159,6 +161,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
             dense = dense_from(shares.y);
         }
         foam = foam_of(shares.x, dense, height, seen, FINE);
+        if FINE { foam.slope += whitened * roller_height() * in_the_world(lies.slope); }
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
         if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, 0.0).x); }

@@ -204,7 +204,8 @@ impl Ocean {
     ) {
         self.places = places.map(|[width, height]| {
             let shape = Shape { depth: 2, ..Shape::picture(width, height) };
-            let places = gpu.texture("places", shape, PLACES_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT);
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+            let places = gpu.texture("places", shape, PLACES_FORMAT, usage);
             let whole = texture::array_view(&places);
             let group = [colour, depth, &whole].map(wgpu::BindingResource::TextureView);
             let views = [0, 1].map(|layer| texture::picture_view(&places, layer));

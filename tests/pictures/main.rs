@@ -19,6 +19,7 @@ mod plane_beach;
 mod relief;
 mod ride;
 mod rivers;
+mod rollers;
 mod seams_of_a_beach;
 mod sheets;
 mod shore;
