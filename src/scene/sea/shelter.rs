@@ -208,6 +208,11 @@ impl Shelter {
         (self.windows, self.nodes.iter().map(Node::packed).collect())
     }
 
+    /// Nodes that have been found around the eye.
+    pub fn found(&self) -> usize {
+        self.nodes.iter().filter(|node| node.place != Node::NONE.place).count()
+    }
+
     /// A number that changes with what [`Shelter::packed`] says.
     pub fn revision(&self) -> u64 {
         self.revision
