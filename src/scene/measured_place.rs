@@ -9,6 +9,7 @@ use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
 use crate::data::world::{Look, World};
 use crate::error::{Error, Result};
+use crate::model::earth::WGS84;
 use crate::model::lakes;
 use crate::model::waves;
 use crate::scene::link::fragment::parse_state;
@@ -103,8 +104,21 @@ impl MeasuredPlaces {
             let trains = sample.shallows().filter(|_| has_trains);
             let ticks = waves::ticks_from_unix(*unix_seconds);
             let shore = trains.and_then(|shallows| self.shores.waves_at((lat, lon), shallows, ticks));
-            let found = self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore);
-            surface = Some((found, gains, peak_s, height_here_m(&tables, depth_m, gains, shore.as_ref())));
+            let hs_here_m = height_here_m(&tables, depth_m, gains, shore.as_ref());
+            let mut by_shore = |depth_m, shore| {
+                self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore)
+            };
+            let mut found = by_shore(depth_m, shore);
+            // Shaders look up depth and trains where the water rests that the patches' chop has carried here. That depends on both by a tenth of
+            // itself: twice brings millimetres.
+            for _ in 0..if shore.is_some() { 2 } else { 0 } {
+                let [east_m, north_m, _] = found.displacement_enu_m;
+                let rest = (lat - north_m / WGS84.a, lon - east_m / (WGS84.a * libm::cos(lat)));
+                let Some(there) = world.sample_by(rest.0, rest.1, look)? else { return Ok(None) };
+                let Some(water) = there.shallows() else { break };
+                found = by_shore(water.h, self.shores.waves_at(rest, water, ticks));
+            }
+            surface = Some((found, gains, peak_s, hs_here_m));
         }
         if sample.class == WaterClass::Lake {
             let Some((gains, peak_s)) = self.waves(world, state, (Water::Lake, lat, lon), look)? else {
