@@ -15,14 +15,16 @@ use crate::scene::view::state::ViewState;
 
 mod effects;
 mod heights;
+mod shores;
 mod stages;
 use effects::Effects;
 use heights::{Height, Heights};
+use shores::{ShoreCost, ShoreCosts};
 
 /// Measure the time of a frame at every named view, and what heights, meshes and effects cost.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  ocean-globe bench                            four tables, 640x360
+  ocean-globe bench                            five tables, 640x360
   ocean-globe bench --size 1920x1080 -o bench.json
   ocean-globe bench --state '#view=35.68,-14.25,9,262,75&bft=8&time=2026-11-20T12:00:00Z&quality=extreme' --size 1920x1080
                                                more than a million triangles, waves of 2048 x 2048
@@ -32,7 +34,9 @@ The third draws one gale from five heights while the eye moves. Its shares say h
   tessellation   than on a grid of a sixteenth of the vertices
   updates        than with the same bisected triangles at rest
   noise          than where the wave patches make the far sea as well, without the noise
-The fourth says what share of a named view's frame goes when an effect of light is switched off.")]
+The fourth says what share of a named view's frame goes when an effect of light is switched off, the fifth what waves by shores take:
+  windows        of wave trains, their memory on the device and in the program, and a frame with and without them
+  window, node   the processor's time for such a window and for a node of lees; for a water tile from polygons: tile")]
 pub struct BenchArgs {
     /// Width and height in pixels.
     #[arg(long, default_value = "640x360")]
@@ -139,17 +143,27 @@ pub fn run(args: &BenchArgs) -> Result<()> {
     }
     drop(compared);
     println!("\n{}", Effects::head());
-    let mut effects = Effects::new(&gpu, &args.data, target, size)?;
+    let mut effects = Effects::new(&gpu, &args.data, target.clone(), size)?;
     let mut shares = Vec::new();
     for (name, state) in &views {
         let measured = effects.measure(state, args.frames)?;
         println!("{}", Effects::row(name, &measured));
         shares.push(Effects::json(name, &measured));
     }
+    drop(effects);
+    println!("\n{}", ShoreCost::head());
+    let mut costs = ShoreCosts::new(&gpu, &args.data, target, size)?;
+    let mut shores = Vec::new();
+    for (name, state) in &views {
+        if let Some(cost) = costs.measure(state, args.frames)? {
+            println!("{}", cost.row(name));
+            shores.push(cost.json(name));
+        }
+    }
     let Some(path) = &args.output else { return Ok(()) };
     let record = serde_json::json!({
         "adapter": gpu.adapter, "size": size, "frames": args.frames, "views": rows, "heights": records,
-        "effects": shares, "stages": stages::json(&staged),
+        "effects": shares, "shores": shores, "stages": stages::json(&staged),
     });
     std::fs::write(path, format!("{record:#}\n"))
         .map_err(|e| Error::io(path.display().to_string(), e, "choose another place with -o"))

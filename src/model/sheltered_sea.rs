@@ -26,8 +26,10 @@ use super::spectrum::{DAMPING_M, Directed, DirectionalSpectrum, Equilibrium, Jon
 use super::spreading::{Cos2s, DonelanBanner, Spreading};
 use super::waves::Cascade;
 use barrier::behind_barrier;
+pub use peak::LocalWaves;
 
 mod barrier;
+mod peak;
 
 /// Directions that an exposure is told for: number i is the bearing 15° i, clockwise from north. With half as many the lee of a wall is off
 /// by 0.08 of the wave height where its shadow begins, with these by 0.02.
@@ -122,6 +124,17 @@ pub struct LocalSea {
     energies: [[f64; RINGS]; 2],
     /// Energy in each ring of the sea that the wind raises over a fetch, over that of the open one.
     grown: Vec<[f64; RINGS]>,
+    /// Speed of the wind, m/s, height of the open sea that it raises, m, and mean depth of the water, m.
+    wind: [f64; 3],
+}
+
+/// What comes from one of the [`DIRECTIONS`].
+struct Direction {
+    /// Shares of the energy of the wind sea and of the swell that come from there, in the open.
+    weights: [f64; 2],
+    /// What of these comes past the shore.
+    passed: [f64; 2],
+    fetch_m: f64,
 }
 
 impl LocalSea {
@@ -142,6 +155,7 @@ impl LocalSea {
             ],
             energies: [wind, spectrum.swell.as_ref().map_or([0.0; RINGS], |swell| energies(swell))],
             grown: grown(sea, &tables.cascades, fetches, depth_m),
+            wind: [sea.speed_mps, sea.wind_height_m(), depth_m],
         }
     }
 
@@ -156,25 +170,36 @@ impl LocalSea {
     pub fn gains(&self, exposures: &Exposures) -> [f64; RINGS] {
         let mut wind = [0.0; RINGS];
         let mut swell = 0.0;
-        for (direction, exposure) in exposures.iter().enumerate() {
-            let exposure = exposure.map_or(Exposure::OPEN, |exposure| behind_barrier(exposures, direction, exposure));
-            let [of_wind, of_swell] = [0, 1].map(|part| self.weights[part][direction]);
+        for Direction { weights: [of_wind, of_swell], passed, fetch_m } in self.directions(exposures) {
             if of_wind > 0.0 {
-                let passed = exposure.passed(self.wavelengths_m[0]);
-                let grown = self.grown_over(exposure.fetch_m);
+                let grown = self.grown_over(fetch_m);
                 for (sum, grown) in wind.iter_mut().zip(grown) {
-                    *sum += of_wind * (passed + (1.0 - passed) * grown);
+                    *sum += of_wind * (passed[0] + (1.0 - passed[0]) * grown);
                 }
             }
-            if of_swell > 0.0 {
-                swell += of_swell * exposure.passed(self.wavelengths_m[1]);
-            }
+            swell += of_swell * passed[1];
         }
         std::array::from_fn(|ring| {
             let [of_wind, of_swell] = [0, 1].map(|part| self.energies[part][ring]);
             let all = of_wind + of_swell;
             if all > 0.0 { libm::sqrt((of_wind * wind[ring] + of_swell * swell) / all).min(MOST_GAIN) } else { 1.0 }
         })
+    }
+
+    /// What comes from each direction that counts.
+    fn directions(&self, exposures: &Exposures) -> impl Iterator<Item = Direction> {
+        (0..DIRECTIONS).filter(|direction| self.needs(*direction)).map(|direction| {
+            let exposure = exposures[direction].map_or(Exposure::OPEN, |own| behind_barrier(exposures, direction, own));
+            let passed = self.wavelengths_m.map(|length_m| exposure.passed(length_m));
+            Direction { weights: self.weights.map(|weights| weights[direction]), passed, fetch_m: exposure.fetch_m }
+        })
+    }
+
+    /// The sea that the wind raises over a fetch; `None` where that is no lower than the open one.
+    fn raised(&self, fetch_m: f64) -> Option<Jonswap> {
+        let [speed_mps, open_m, depth_m] = self.wind;
+        let (hs_m, peak_s) = young_verhagen(speed_mps, fetch_m.max(LEAST_FETCH_M), depth_m);
+        (hs_m > 0.0 && hs_m < open_m).then(|| Jonswap::from_height(hs_m, peak_s))
     }
 
     /// [`LocalSea::grown`] between the fetches of the table.

@@ -87,7 +87,17 @@ pub struct Bed {
     pub face: Vec<f64>,
 }
 
+/// Bytes of vectors' elements.
+macro_rules! bytes {
+    ($($of:expr),+) => { 0 $(+ size_of_val(&$of[..]))+ };
+}
+
 impl Bed {
+    /// Bytes that it holds.
+    pub fn bytes(&self) -> usize {
+        bytes!(self.step_m, self.depth_m, self.shore_m, self.face)
+    }
+
     fn is_wet(&self, at: usize) -> bool {
         self.shore_m[at] > 0.0
     }
@@ -165,6 +175,13 @@ pub struct Arrivals {
     pub way: Vec<[f64; 2]>,
 }
 
+impl Arrivals {
+    /// Bytes that they hold.
+    pub fn bytes(&self) -> usize {
+        bytes!(self.rest, self.way)
+    }
+}
+
 /// A train that is being followed, a round of sweeps at a time.
 #[derive(Clone, Debug)]
 pub struct Following {
@@ -178,6 +195,11 @@ pub struct Following {
 }
 
 impl Following {
+    /// Bytes that it holds.
+    pub fn bytes(&self) -> usize {
+        bytes!(self.slope, self.k, self.rest, self.is_seed)
+    }
+
     /// A train of frequency `omega` that travels to the unit vector `toward`, east and south, where nothing is in its way.
     pub fn new(bed: &Bed, omega: f64, toward: [f64; 2]) -> Self {
         let n = bed.side;

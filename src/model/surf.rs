@@ -110,21 +110,51 @@ pub struct SurfWave {
     pub bore: f64,
 }
 
+/// What a single wave has become at a place.
+struct Grown {
+    h: f64,
+    k: f64,
+    /// Its height, m.
+    height: f64,
+    /// The depth in which it breaks, m.
+    breaks: f64,
+}
+
+impl Grown {
+    /// One that is `deep` m high in deep water.
+    fn new(omega: f64, place: Shallows, deep: f64) -> Self {
+        let h = place.h.max(super::shore_waves::SHALLOWEST_M);
+        let k = wavenumber(omega, h);
+        // Of the bed where a wave of this height breaks.
+        let m = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).clamp(0.01, 0.1);
+        let gamma = breaker_index(m, deep, omega);
+        let breaks = breaking_depth(deep.max(1e-6), omega * omega / GRAVITY, gamma);
+        let grown = deep * shoaling(k, h);
+        let height = if h < breaks { grown.min(gamma * breaks * broken(h / breaks, m, gamma)) } else { grown };
+        Self { h, k, height, breaks }
+    }
+}
+
+/// Significant height at a place by a shore, m, of waves of a frequency whose heights in deep water have Rayleigh's distribution with the rms
+/// `rms_deep`, m: each grows and breaks for itself, and √2 times the rms of what they become is four times the water's deviation, as their shapes
+/// keep the mean square of a sine.
+pub fn significant_height(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
+    const QUANTILES: usize = 64;
+    let squares = (0..QUANTILES).map(|i| {
+        let deep = rms_deep * libm::sqrt(-libm::log((i as f64 + 0.5) / QUANTILES as f64));
+        let height = Grown::new(omega, place, deep).height;
+        height * height
+    });
+    libm::sqrt(2.0 * squares.sum::<f64>() / QUANTILES as f64)
+}
+
 impl TrainSum {
     /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
     /// frequency.
     pub fn wave(&self, omega: f64, place: Shallows, energy: f64) -> SurfWave {
-        let h = place.h.max(super::shore_waves::SHALLOWEST_M);
-        let k_deep = omega * omega / GRAVITY;
-        let k = wavenumber(omega, h);
         let size = libm::hypot(self.z[0], self.z[1]);
         let deep = 2.0 * size * libm::sqrt(energy);
-        // Of the bed where a wave of this height breaks.
-        let m = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).clamp(0.01, 0.1);
-        let gamma = breaker_index(m, deep, omega);
-        let breaks = breaking_depth(deep.max(1e-6), k_deep, gamma);
-        let grown = deep * shoaling(k, h);
-        let height = if h < breaks { grown.min(gamma * breaks * broken(h / breaks, m, gamma)) } else { grown };
+        let Grown { h, k, height, breaks } = Grown::new(omega, place, deep);
         let bore = 1.0 - smoothstep(0.75, 1.0, h / breaks.max(1e-3));
         let turn = self.z.map(|part| part / size.max(1e-6));
         // The shape begins with a rise, the sum with a crest.

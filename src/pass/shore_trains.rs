@@ -23,6 +23,11 @@ impl ShoreTrains {
         Self { buffer: buffer(gpu, size_of::<Header>()), is_whole: false, held: [const { None }; SLOTS] }
     }
 
+    /// Windows that it holds.
+    pub fn windows(&self) -> usize {
+        self.held.iter().flatten().count()
+    }
+
     /// Takes the windows around a frame's eye; true where the buffer is another one from now on.
     pub fn prepare(&mut self, gpu: &Gpu, shores: &Shores, frame: &Frame) -> bool {
         let wanted: Vec<_> = shores.ready().collect();

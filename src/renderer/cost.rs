@@ -16,6 +16,10 @@ pub struct Cost {
     pub land_triangles: u32,
     /// Compute dispatches, those of the foam's replay included.
     pub dispatches: usize,
+    /// Windows of the trains of waves by shores on the device.
+    pub shore_windows: usize,
+    /// Bytes of the buffer that these take on the device, and of windows that are kept or being made for it.
+    pub shore_bytes: [u64; 2],
 }
 
 impl Renderer {
@@ -24,9 +28,11 @@ impl Renderer {
     /// # Errors
     /// [`crate::error::Error::Gpu`] when the device is lost.
     pub fn cost(&self) -> Result<Cost> {
-        let dispatches = self.dispatches;
+        let (shore_windows, on_device) = self.surface.trains_held();
+        let shore_bytes = [on_device, self.shores.bytes() as u64];
+        let shores = Cost { dispatches: self.dispatches, shore_windows, shore_bytes, ..Cost::default() };
         if self.visible.is_none() {
-            return Ok(Cost { dispatches, ..Cost::default() });
+            return Ok(shores);
         }
         let [vertices, triangles] = match self.mesh.read_vertices(&self.gpu) {
             Some(vertices) => {
@@ -36,6 +42,6 @@ impl Renderer {
             None => self.ocean.grid_counts(),
         };
         let [map_tiles, land_triangles] = self.land.counts();
-        Ok(Cost { vertices, triangles, map_tiles, land_triangles, dispatches })
+        Ok(Cost { vertices, triangles, map_tiles, land_triangles, ..shores })
     }
 }

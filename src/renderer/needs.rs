@@ -34,7 +34,7 @@ impl Renderer {
             (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground()));
         let side = self.side(frame);
         // What is there stays; others wait for the picture's own tiles.
-        let trains = (side.shows_surf && frame.is_fine(), self.complete);
+        let trains = (side.shows_surf && frame.shows_trains && frame.is_fine(), self.complete);
         let seconds = if self.seas.is_spread() { work_s } else { f64::INFINITY };
         self.complete &= self.shores.prepare(&mut self.world, frame, trains, seconds);
         self.complete

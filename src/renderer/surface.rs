@@ -149,6 +149,11 @@ impl Surface {
         self.sea = Some(sea.clone());
     }
 
+    /// Windows of these on the device, and bytes of their buffer.
+    pub(super) fn trains_held(&self) -> (usize, u64) {
+        (self.trains.windows(), self.trains.buffer.size())
+    }
+
     /// Takes the trains of waves near the shores around the frame's eye.
     pub(super) fn take_trains(&mut self, gpu: &Gpu, frame: &Frame, shores: &Shores) {
         if self.trains.prepare(gpu, shores, frame) {

@@ -9,15 +9,14 @@ use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
 use crate::data::world::{Look, World};
 use crate::error::{Error, Result};
+use crate::model::earth::WGS84;
 use crate::model::lakes;
-use crate::model::sheltered_sea::RINGS;
-use crate::model::spectrum::DirectionalSpectrum;
 use crate::model::waves;
 use crate::scene::link::fragment::parse_state;
 use crate::scene::sea::Seas;
 use crate::scene::sea::shelter::of_patches;
 use crate::scene::sea::shores::Shores;
-use crate::scene::sea::surface_sample::SurfaceSample;
+use crate::scene::sea::surface_sample::{SurfaceSample, height_here_m};
 use crate::scene::time::SceneTime;
 use crate::scene::view::state::ViewState;
 
@@ -93,10 +92,11 @@ impl MeasuredPlaces {
         object["elevation_over_ellipsoid_m"] = (sample.elevation_m + geoid_m).into();
         object["surface"] = Value::Null;
         let tables = self.seas.tables(&state.settings);
-        let height_m = |gains| Value::from(tables.height_gain(gains) * tables.sea.hs_m);
         let mut surface = None;
         if let Some(depth_m) = sample.depth_m {
-            let Some(gains) = self.gains(world, state, (Water::Ocean, lat, lon), look)? else { return Ok(None) };
+            let Some((gains, peak_s)) = self.waves(world, state, (Water::Ocean, lat, lon), look)? else {
+                return Ok(None);
+            };
             let has_trains = sample.shallows().is_some() && state.settings.quality.is_fine();
             if has_trains && !self.shores.prepare_at(world, (&tables, state.settings.wind_from()), lat, lon) {
                 return Ok(None);
@@ -104,32 +104,50 @@ impl MeasuredPlaces {
             let trains = sample.shallows().filter(|_| has_trains);
             let ticks = waves::ticks_from_unix(*unix_seconds);
             let shore = trains.and_then(|shallows| self.shores.waves_at((lat, lon), shallows, ticks));
-            let found = self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore);
-            surface = Some((found, gains));
+            let hs_here_m = height_here_m(&tables, depth_m, gains, shore.as_ref());
+            let mut by_shore = |depth_m, shore| {
+                self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore)
+            };
+            let mut found = by_shore(depth_m, shore);
+            // Shaders look up depth and trains where the water rests that the patches' chop has carried here. That depends on both by a tenth of
+            // itself: twice brings millimetres.
+            for _ in 0..if shore.is_some() { 2 } else { 0 } {
+                let [east_m, north_m, _] = found.displacement_enu_m;
+                let rest = (lat - north_m / WGS84.a, lon - east_m / (WGS84.a * libm::cos(lat)));
+                let Some(there) = world.sample_by(rest.0, rest.1, look)? else { return Ok(None) };
+                let Some(water) = there.shallows() else { break };
+                found = by_shore(water.h, self.shores.waves_at(rest, water, ticks));
+            }
+            surface = Some((found, gains, peak_s, hs_here_m));
         }
         if sample.class == WaterClass::Lake {
-            let Some(gains) = self.gains(world, state, (Water::Lake, lat, lon), look)? else { return Ok(None) };
-            object["lake_hs_m"] = height_m(gains);
+            let Some((gains, peak_s)) = self.waves(world, state, (Water::Lake, lat, lon), look)? else {
+                return Ok(None);
+            };
+            object["lake_hs_m"] = (tables.height_gain(gains) * tables.sea.hs_m).into();
+            object["lake_tp_s"] = peak_s.into();
             // Where the level is known the surface is drawn.
             if sample.lake.is_some() && state.settings.quality.is_fine() {
                 let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
                 let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
-                surface = Some((SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves }, gains));
+                let found = SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves };
+                surface = Some((found, gains, peak_s, height_here_m(&tables, depth_m, gains, None)));
             }
         }
-        if let Some((found, gains)) = surface {
+        if let Some((found, gains, peak_s, hs_here_m)) = surface {
             let over_rest_m = found.height_m - state.settings.datum.rest_m(lat, lon);
             let mut surface = serde_json::to_value(found).map_err(json)?;
             // What `sampleSurface` tells, which knows no land.
             let open = asked.open_sea(&mut self.seas);
-            surface["open_sea"] = json!({ "height_m": open.height_m, "normal_enu": open.normal_enu });
+            let tp_s = tables.peak_period_s;
+            surface["open_sea"] = json!({ "height_m": open.height_m, "normal_enu": open.normal_enu, "tp_s": tp_s });
             surface["height_over_geoid_m"] = over_rest_m.into();
             surface["height_over_ellipsoid_m"] = (over_rest_m + geoid_m).into();
             surface["time"] = SceneTime::At(*unix_seconds).to_string().into();
             surface["hs_m"] = tables.sea.hs_m.into();
-            surface["hs_here_m"] = height_m(gains);
+            surface["hs_here_m"] = hs_here_m.into();
             surface["gains"] = gains.to_vec().into();
-            surface["tp_s"] = tables.sea.spectrum().peak_period().into();
+            surface["tp_s"] = peak_s.into();
             object["surface"] = surface;
         }
         object["lat_deg"] = (*lat_deg).into();
@@ -137,14 +155,15 @@ impl MeasuredPlaces {
         Ok(Some(object))
     }
 
-    /// How much higher than the open sea's the waves of each patch are at a place; `None` while tiles are on their way.
-    fn gains(
+    /// How much higher than the open sea's the waves of each patch are at a place, and the period of their peak, s; `None` while tiles are on
+    /// their way.
+    fn waves(
         &mut self,
         world: &mut World,
         state: &ViewState,
         place: (Water, f64, f64),
         look: Look,
-    ) -> Result<Option<[f64; waves::CASCADES]>> {
+    ) -> Result<Option<([f64; waves::CASCADES], f64)>> {
         let tables = self.seas.tables(&state.settings);
         let mut failed = None;
         let mut found = |id| {
@@ -153,9 +172,10 @@ impl MeasuredPlaces {
                 Found::Absent
             })
         };
-        let gains: Option<[f64; RINGS]> =
-            self.seas.shelter.at((&tables, state.settings.wind_from()), place, &mut found);
+        let (sea, shelter) = ((&tables, state.settings.wind_from()), &mut self.seas.shelter);
+        let gains = shelter.at(sea, place, &mut found).map(of_patches);
+        let waves = gains.and_then(|gains| Some((gains, shelter.peak_period_at(sea, place, &mut found)?)));
         // A lee that a damaged tile hides must not be told as open sea.
-        failed.map_or(Ok(gains.map(of_patches)), Err)
+        failed.map_or(Ok(waves), Err)
     }
 }

@@ -5,8 +5,11 @@
 use ocean_globe::cli::sample::{SampleArgs, sample};
 use ocean_globe::data::world::World;
 use ocean_globe::model::sea_tables::SeaTables;
+use ocean_globe::model::waves;
+use ocean_globe::scene::link::fragment::parse_state;
 use ocean_globe::scene::measured_place::Question;
 use ocean_globe::scene::sea::Seas;
+use ocean_globe::scene::sea::shores::Shores;
 use ocean_globe::scene::sea::surface_sample::allowed_by_depth;
 use ocean_globe::scene::settings::Settings;
 use serde_json::Value;
@@ -150,6 +153,78 @@ fn the_surface_of_the_sea_is_told_where_there_is_sea() {
         assert!(error.contains("time") && error.contains("2026-11-20T12:00:00Z"), "{error}");
     }
     assert!(sample(&arguments("1,2", "#wind=fast", noon)).unwrap_err().to_string().contains("wind"));
+}
+
+/// Young and Verhagen's curves over deep water, written anew: significant height, m, and period of the peak, s, over a fetch in metres.
+fn raised(speed_mps: f64, fetch_m: f64) -> [f64; 2] {
+    let chi = 9.80665 * fetch_m / (speed_mps * speed_mps);
+    let energy = 3.64e-3 * (3.13e-3 * chi.powf(0.57)).tanh().powf(1.74);
+    let rate = 0.133 * (5.215e-4 * chi.powf(0.73)).tanh().powf(-0.37);
+    [4.0 * energy.sqrt() * speed_mps * speed_mps / 9.80665, speed_mps / (9.80665 * rate)]
+}
+
+#[test]
+fn waves_of_lakes_have_periods_of_their_own() {
+    // The height that is told and the period, against each other, by the fetch that makes this height; and against the lake's length, m.
+    for (lake, place, from_deg, length_m) in [
+        ("Geneva", "46.45,6.6", 250, 73e3),
+        ("Superior", "47.7,-87.5", 300, 563e3),
+        ("Constance", "47.6,9.4", 300, 63e3),
+    ] {
+        let found = sample(&arguments(place, &format!("#wind=17@{from_deg}"), Some("2026-11-20T12:00:00Z"))).unwrap();
+        let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("{lake}: {found}"));
+        let surface = &found["surface"];
+        let [period, open, height] = [&surface["tp_s"], &surface["open_sea"]["tp_s"], &found["lake_hs_m"]].map(number);
+        let (mut low, mut high) = (10.0, 1e7);
+        for _ in 0..60 {
+            let fetch_m = 0.5 * (low + high);
+            if raised(17.0, fetch_m)[0] < height { low = fetch_m } else { high = fetch_m }
+        }
+        let wanted = raised(17.0, low)[1];
+        println!("{lake}: {height:.3} m, {period:.3} s, by the height {wanted:.3} s; the open sea's {open:.3} s");
+        assert_eq!(found["lake_tp_s"], surface["tp_s"]);
+        // The longest fetches make the peak, while shorter ones take of the height; a twentieth besides for what waves between nodes lose.
+        assert!((0.95..1.25).contains(&(period / wanted)), "{lake}: {period} s, by the height {wanted} s");
+        assert!(period < raised(17.0, length_m)[1] && open > 9.0, "{lake}: {period} s, the open sea's {open} s");
+    }
+    // Where nothing is in its way the sea has the open one's.
+    let atlantic = &sample(&arguments("35.68,-14.25", "#wind=17@250", None)).unwrap()["surface"];
+    assert_eq!(atlantic["tp_s"], atlantic["open_sea"]["tp_s"]);
+}
+
+#[test]
+fn the_height_told_on_a_beach_is_that_of_the_waves_there() {
+    // A swell with hardly a wind, so that the trains have next to all of it, from beyond them to the beach of Holland.
+    const SWELL: &str = "#wind=2@300&swell=2,10,300";
+    let state = parse_state(SWELL).unwrap();
+    let sea = Seas::default().tables(&state.settings);
+    let (mut world, mut shores, mut compared) = (World::open(DATA), Shores::default(), 0);
+    for lng_deg in [4.40, 4.50, 4.515, 4.519, 4.521, 4.522, 4.5225, 4.5228, 4.5230] {
+        let (lat, lon) = (52.372f64.to_radians(), f64::to_radians(lng_deg));
+        let place = world.sample_blocking(lat, lon).unwrap();
+        let (Some(water), Some(depth_m)) = (place.shallows(), place.depth_m) else { continue };
+        while !shores.prepare_at(&mut world, (&sea, state.settings.wind_from()), lat, lon) {
+            world.poll();
+        }
+        let found = sample(&arguments(&format!("52.372,{lng_deg}"), SWELL, None)).unwrap();
+        let told = found["surface"]["hs_here_m"].as_f64().unwrap();
+        // Of the water's height over an hour at instants of its own.
+        let instants = (0..4000)
+            .filter_map(|i| shores.waves_at((lat, lon), water, waves::ticks_from_unix(1.8e9 + 0.9 * f64::from(i))));
+        let instants: Vec<_> = instants.collect();
+        let square = instants.iter().map(|waves| waves.wave.rise.powi(2)).sum::<f64>() / instants.len().max(1) as f64;
+        let (of_trains, of_all) = (4.0 * square.sqrt(), instants.first().map_or(0.0, |waves| waves.hs_m));
+        println!("{depth_m:.2} m deep: told {told:.3} m, trains {of_trains:.3} m, by their energy {of_all:.3} m");
+        assert!(told < 0.9 * depth_m, "{told} m in {depth_m} m");
+        if of_all > 0.0 {
+            // The breeze's own ripples are 0.2 m high, and a tenth of the swell's short waves are not the trains'.
+            assert!(told >= of_all && told < of_all.hypot(0.3), "{told} m, the trains are {of_all} m high");
+            compared += 1;
+            // Eight trains make lower groups than a sea without end does.
+            assert!((of_all / of_trains - 1.0).abs() < 0.05, "{of_all} m, the trains are {of_trains} m high");
+        }
+    }
+    assert!(compared >= 5, "{compared} places with trains");
 }
 
 #[test]

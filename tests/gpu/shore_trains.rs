@@ -1,14 +1,19 @@
 //! Waves by a shore as the drawing shaders have them, against the model in f64: the formulas of breakers, and the sum of the trains at places
 //! of real coasts.
 
+use std::collections::HashSet;
+
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::data::tile::{MapPoint, Projection};
 use ocean_globe::data::world::World;
+use ocean_globe::gpu::Gpu;
 use ocean_globe::model::shore_waves::Shallows;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 use ocean_globe::model::wave_trains::taken_m2;
 use ocean_globe::model::{GRAVITY, dispersion, surf};
+use ocean_globe::pass::shore_trains::ShoreTrains;
 use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::sea::shores::{SLOTS, Shores};
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
@@ -65,6 +70,41 @@ fn breakers_are_those_of_the_model() {
             assert!(error < 6e-3, "{what}: {found} for {wanted}, {asked:?}");
         }
     }
+}
+
+/// On a way along a coast, with windows as they come and step by step.
+#[test]
+fn windows_take_no_more_than_64_mb() {
+    let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
+    let (mut world, mut shores, mut trains) = (World::open("www/data"), Shores::default(), ShoreTrains::new(&gpu));
+    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
+    let (mut seen, mut most, mut making) = (HashSet::new(), 0, 0);
+    for stop in 0..12 {
+        // South to north along Holland, 7 km from stop to stop.
+        let way = f64::from(stop) / 11.0;
+        let camera = Camera::from_degrees(52.0 + 0.75 * way, 4.2 + 0.45 * way, 30.0, 0.0, 60.0);
+        let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
+        // No time is one step.
+        let seconds = if stop % 3 == 0 { 0.0 } else { f64::INFINITY };
+        while !shores.prepare(&mut world, &frame, (true, true), seconds) {
+            world.poll();
+            // Whatever is more than nodes of windows is being made.
+            let ready: usize = shores.ready().map(|(_, nodes)| size_of_val(&nodes[..])).sum();
+            making = making.max(shores.bytes() - ready);
+            most = most.max(shores.bytes());
+        }
+        trains.prepare(&gpu, &shores, &frame);
+        let ready: Vec<_> = shores.ready().collect();
+        assert_eq!(trains.windows(), ready.len(), "all that are wanted are on the device");
+        let nodes: usize = ready.iter().map(|(_, nodes)| size_of_val(&nodes[..])).sum();
+        assert!(shores.bytes() >= nodes, "{} bytes, {nodes} of them nodes", shores.bytes());
+        seen.extend(ready.iter().map(|(tile, _)| *tile));
+        most = most.max(shores.bytes());
+    }
+    let device = trains.buffer.size() as usize;
+    println!("{} windows, {most} bytes at most, {device} on the device", seen.len());
+    assert!(seen.len() > SLOTS && making > 1 << 20, "{} windows, {making} bytes being made", seen.len());
+    assert!(most + device < 64_000_000, "{most} bytes in the program, {device} on the device");
 }
 
 const TRAINS: &str = "#import shore_trains

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use ocean_globe::model::sea::{Sea, SpectrumKind, Swell};
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::sheltered_sea::{
-    DIRECTIONS, Exposure, LocalSea, RINGS, SPREADS, bearing, rings, weights, young_verhagen,
+    DIRECTIONS, Exposure, LocalSea, LocalWaves, RINGS, SPREADS, bearing, rings, weights, young_verhagen,
 };
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 
@@ -123,4 +123,53 @@ fn a_swell_has_a_lee_of_its_own() {
     let (north, east) = (blocked_from(0.0), blocked_from(TAU / 4.0));
     println!("longest waves: {north:.3} with land to the north, {east:.3} with land to the east");
     assert!(north > 0.9 && east < 0.3, "{north} {east}");
+}
+
+#[test]
+fn waves_that_the_wind_raises_anew_have_the_period_of_young_and_verhagen() {
+    // (U, F, h) -> Tp, evaluated apart from this program.
+    for (u, fetch_m, depth_m, peak_s) in [
+        (10.0, 30e3, f64::INFINITY, 4.0292),
+        (12.0, 8e3, 154.0, 3.0769),
+        (20.0, 120e3, 147.0, 8.0451),
+        (15.0, 40e3, 8.0, 4.7104),
+    ] {
+        let tables = SeaTables::new(Sea::from_wind(u, 1, 1.0), 256);
+        let local = LocalSea::new(&tables, 1.0, depth_m);
+        let mut waves = LocalWaves::default();
+        waves.add(1.0, &local, &[Some(Exposure { fetch_m, clearance: f64::NEG_INFINITY }); DIRECTIONS]);
+        let found = waves.peak_period(&tables.sea.spectrum());
+        println!("{u} m/s, {fetch_m} m, {depth_m} m: {found:.4} s, open sea {:.4} s", tables.peak_period_s);
+        // The values are given to five digits.
+        assert!((found / peak_s - 1.0).abs() < 3e-5, "{found} for {peak_s}");
+        let mut open = LocalWaves::default();
+        open.add(1.0, &local, &[Some(Exposure::OPEN); DIRECTIONS]);
+        assert_eq!(open.peak_period(&tables.sea.spectrum()), tables.peak_period_s);
+    }
+}
+
+#[test]
+fn the_peak_of_a_lee_is_that_of_the_higher_part() {
+    let swell = Swell { height_m: 1.5, period_s: 14.0, toward: -TAU / 4.0 };
+    let sea = Sea::new(12.0, SpectrumKind::Jonswap, None, Some(swell), 1, 1.0);
+    let tables = SeaTables::new(sea, 256);
+    let (spectrum, local) = (tables.sea.spectrum(), LocalSea::new(&tables, 0.0, f64::INFINITY));
+    // Wind from the north, the swell from the east; a shore 6 km away hides one or the other.
+    let peak = |hidden_from: f64| {
+        let exposure = |i: usize| {
+            let is_hidden = (bearing(i) - hidden_from).cos() > 0.3;
+            if is_hidden { Exposure { fetch_m: 6e3, clearance: -1e3 } } else { Exposure::OPEN }
+        };
+        let mut waves = LocalWaves::default();
+        waves.add(1.0, &local, &std::array::from_fn(|i| Some(exposure(i))));
+        waves.peak_period(&spectrum)
+    };
+    let [no_wind, no_swell, neither] = [peak(0.0), peak(TAU / 4.0), {
+        let mut waves = LocalWaves::default();
+        waves.add(1.0, &local, &[Some(Exposure { fetch_m: 6e3, clearance: -1e3 }); DIRECTIONS]);
+        waves.peak_period(&spectrum)
+    }];
+    println!("{no_wind} s without the wind's waves, {no_swell} s without the swell, {neither} s behind both");
+    assert!((no_wind - 14.0).abs() < 1e-9 && no_swell == spectrum.wind.peak_period());
+    assert!((neither - young_verhagen(12.0, 6e3, f64::INFINITY).1).abs() < 1e-9);
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use ocean_globe::model::shore_waves::Shallows;
 use ocean_globe::model::{GRAVITY, dispersion, surf};
 
 use crate::battjes_janssen;
@@ -86,6 +87,26 @@ fn decay_error(m: f64, period: f64, hrms0: f64) -> f64 {
     let found = battjes_janssen::heights(|_| m, period, hrms0);
     let errors = found.iter().map(|&[h, hrms]| (rms(h) / hrms - 1.0).powi(2));
     (errors.sum::<f64>() / found.len() as f64).sqrt()
+}
+
+#[test]
+fn the_significant_height_on_a_beach_is_what_the_depth_allows() {
+    for (m, period, hrms0) in [(0.02, 10.0, 1.4), (0.03, 7.0, 1.2), (0.05, 12.0, 2.0)] {
+        let height = |h: f64| surf::significant_height(TAU / period, Shallows { h, d: h / m, m }, hrms0);
+        let known = battjes_janssen::heights(|_| m, period, hrms0);
+        let errors = known.iter().map(|&[h, hrms]| (height(h) / (2f64.sqrt() * hrms) - 1.0).powi(2));
+        let error = (errors.sum::<f64>() / known.len() as f64).sqrt();
+        let shares = [0.1, 0.26, 0.5].map(|h| height(h) / h);
+        println!("slope {m}: {error:.3} off Battjes and Janssen, {shares:.2?} of 10, 26 and 50 cm");
+        assert!(error < 0.10, "{m}: {error}");
+        // Broken waves of B. Raubenheimer, R. Guza and S. Elgar (1996) were .3 to .9 of the depth on beaches down to 1 : 30; on steeper ones Dally's
+        // waves lose their height no sooner than they come to the shore, but their rms is never more than the depth.
+        let most = if m < 0.04 { 0.9 } else { 2f64.sqrt() };
+        assert!(shares.iter().all(|share| (0.3..most).contains(share)), "{m}: {shares:?}");
+        // In deep water they are the open sea's: √2 times their rms, all of them sums of a Rayleigh distribution's 64 quantiles.
+        let deep = height(300.0) / (2f64.sqrt() * hrms0);
+        assert!((deep - 1.0).abs() < 0.01, "{deep}");
+    }
 }
 
 #[test]

@@ -8,6 +8,7 @@ use ocean_globe::gpu::texture;
 use ocean_globe::pass::ocean::grid_cells;
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::{Output, cell_pixels};
+use ocean_globe::scene::sea::shores::SLOTS;
 use ocean_globe::scene::settings::Quality;
 use serde_json::Value;
 
@@ -66,6 +67,7 @@ fn the_record_of_a_height_is_that_of_its_frames() {
     }
     assert!(grid["updates"].is_null() && number(bisect, "updates") > -1.0);
 
+    assert_eq!(record["shores"], Value::Array(Vec::new()), "no shore is near");
     // What low quality, noon and a gale have of the effects, and what they do not.
     let shares = &record["effects"][0]["shares"];
     for has in ["sky", "foam", "spray"] {
@@ -74,6 +76,28 @@ fn the_record_of_a_height_is_that_of_its_frames() {
     for lacks in ["stars", "lights", "fine", "edges"] {
         assert!(shares[lacks].is_null(), "{lacks}: {shares}");
     }
+}
+
+#[test]
+fn the_record_of_a_shore_is_that_of_its_windows() {
+    let record = record(
+        "bench-shore.json",
+        "#view=52.372,4.52,30,120,75&clouds=0&wind=8@300&time=2026-06-21T11:00:00Z&quality=medium&mesh=grid",
+    );
+    let shore = &record["shores"][0];
+    let windows = number(shore, "windows");
+    assert!((2.0..=SLOTS as f64).contains(&windows), "{windows} windows");
+    // 128 by 128 nodes of eight trains of eight bytes are kept of each; the device has room for all that may come, and a table.
+    let window = f64::from(128 * 128 * 8 * 8);
+    assert_eq!(number(shore, "kept_bytes"), windows * window);
+    assert_eq!(number(shore, "gpu_bytes"), SLOTS as f64 * window + 1024.0);
+    assert_eq!(number(shore, "dispatches"), 0.0);
+    // Trains are a part of a frame, and what they are made of takes the processor some time.
+    assert!((-1.0..0.9).contains(&number(shore, "share")), "{shore}");
+    for of in ["frame_ms", "without_ms", "window_ms", "node_ms", "tile_ms"] {
+        assert!(number(shore, of) > 0.0, "{of}: {shore}");
+    }
+    assert!(number(shore, "node_ms") < number(shore, "window_ms"), "{shore}");
 }
 
 /// Weight of the noise in each pixel, and the frame's dispatches.

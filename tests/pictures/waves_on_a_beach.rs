@@ -62,7 +62,9 @@ fn turns_and_grows(beach: &mut Beach, view: &View) {
     assert!(mean(&angles_off).abs() < 1.0 && most(&angles_off) < 5.0, "{angles_off:?} degrees");
     assert!(mean(&lengths_off).abs() < 0.05 && most(&lengths_off) < 0.14, "{lengths_off:?}");
     // All trains grow as their mean frequency does, which takes 0.7 % from them, cells of 2.8 m take 0.4 %, and the grid's Kr is good to 3 % of each.
-    assert!((height - 1.0).abs() < 0.03, "{height}");
+    // Together they are 2.3 % off at 5 m, where the grid's directions still turn, and 0.7 % at 8 m.
+    let most = if depth_m < 6.0 { 0.025 } else { 0.02 };
+    assert!((height - 1.0).abs() < most, "{height}");
 }
 
 /// Differences of heights against normals.

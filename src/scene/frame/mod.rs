@@ -59,6 +59,8 @@ pub struct Frame {
     pub local_height_m: f64,
     /// Whether stars may show: it is dark at the eye, or it is in space.
     pub shows_stars: bool,
+    /// Whether waves by shores are drawn as trains, where they show. For measurements.
+    pub shows_trains: bool,
     /// Whether city lights may show: it is evening at the eye, or it is in space.
     pub shows_city_lights: bool,
     /// Its clouds, where there are any.
@@ -191,6 +193,7 @@ impl Frame {
             surface_m,
             local_height_m,
             shows_stars: light::stars_show(&uniform, settings),
+            shows_trains: true,
             shows_city_lights: light::city_lights_show(&uniform, settings),
             clouds,
             sky_area: rim::of_sky(&uniform, camera, size),

@@ -24,7 +24,7 @@ use crate::model::sea_tables::SeaTables;
 use crate::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, LocalSea, RINGS};
 use crate::model::waves::CASCADES;
 pub use nodes::{LEAST_KNOWN, ON_LAND};
-use nodes::{Local, Node, between, finest, found};
+use nodes::{Local, Node, between, finest, found, mean_gains};
 
 mod nodes;
 
@@ -208,6 +208,11 @@ impl Shelter {
         (self.windows, self.nodes.iter().map(Node::packed).collect())
     }
 
+    /// Nodes that have been found around the eye.
+    pub fn found(&self) -> usize {
+        self.nodes.iter().filter(|node| node.place != Node::NONE.place).count()
+    }
+
     /// A number that changes with what [`Shelter::packed`] says.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -235,9 +240,9 @@ impl Shelter {
                 )
             };
             if window.state == KNOWN
-                && let Some(gains) = between(level, at, water, known).flatten()
+                && let Some(nodes) = between(level, at, water, known).flatten()
             {
-                return gains;
+                return mean_gains(&nodes);
             }
         }
         [1.0; RINGS]
@@ -251,15 +256,37 @@ impl Shelter {
     /// The gains of a water at a place whatever the eye sees; `None` while a tile that `look` asks for is on its way.
     pub fn at(
         &mut self,
+        sea: (&Arc<SeaTables>, f64),
+        place: (Water, f64, f64),
+        look: &mut dyn FnMut(TileId) -> Found,
+    ) -> Option<Gains> {
+        Some(self.nodes_at(sea, place, look)?.map_or([1.0; RINGS], |nodes| mean_gains(&nodes)))
+    }
+
+    /// Period of the peak of the waves of a water at a place, s; as [`Shelter::at`].
+    pub fn peak_period_at(
+        &mut self,
+        sea: (&Arc<SeaTables>, f64),
+        place: (Water, f64, f64),
+        look: &mut dyn FnMut(TileId) -> Found,
+    ) -> Option<f64> {
+        let nodes = self.nodes_at(sea, place, look)?;
+        let waves = nodes.map(|nodes| self.local(sea.0, sea.1).waves(&nodes));
+        Some(waves.map_or(sea.0.peak_period_s, |waves| waves.peak_period(&sea.0.sea.spectrum())))
+    }
+
+    /// The nodes around a place with their shares, those of the finest level that knows the water. `Some(None)`: there is none, or no land.
+    fn nodes_at(
+        &mut self,
         (tables, wind_from): (&Arc<SeaTables>, f64),
         (water, lat, lon): (Water, f64, f64),
         look: &mut dyn FnMut(TileId) -> Found,
-    ) -> Option<Gains> {
+    ) -> Option<Option<[(f64, Node); 4]>> {
         let local = self.local(tables, wind_from);
-        let Some(at) = place(lat, lon).filter(|_| tables.sea.hs_m > 0.0) else { return Some([1.0; RINGS]) };
+        let Some(at) = place(lat, lon).filter(|_| tables.sea.hs_m > 0.0) else { return Some(None) };
         let mut tiles = std::mem::take(&mut self.tiles);
         let mut shores = tiles.looking(look);
-        let mut gains = Some([1.0; RINGS]);
+        let mut nodes = Some(None);
         for level in 0..LEVELS {
             let known = |place: [u32; 2]| {
                 let node = match self.sampled.get(&(level, place)) {
@@ -269,14 +296,13 @@ impl Shelter {
                 self.sampled.insert((level, place), node);
                 Some(node)
             };
-            match between(level, at, water, known) {
-                Some(None) => continue,
-                found => gains = found.flatten(),
+            nodes = between(level, at, water, known);
+            if !matches!(nodes, Some(None)) {
+                break;
             }
-            break;
         }
         self.tiles = tiles;
-        gains
+        nodes
     }
 }
 

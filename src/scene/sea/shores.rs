@@ -11,7 +11,6 @@
 //! go. A window is made a step at a time: one round of one train, some milliseconds.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use crate::data::fetch::now_s;
@@ -29,10 +28,10 @@ mod at_place;
 
 pub use at_place::ShoreWaves;
 
-/// Windows that the GPU holds; a mebibyte each.
-pub const SLOTS: usize = 32;
-/// Windows that are kept, those without waves included.
-const MOST_WINDOWS: usize = 128;
+/// Windows that the GPU holds, and that are kept, a mebibyte each: no eye wants more than 21, and all of them are to take less than 64 MB.
+pub const SLOTS: usize = 24;
+/// Tiles that are known to have no waves, at most.
+const MOST_EMPTY: usize = 128;
 /// ω²h/g from which on waves are free of the bottom, and below which the trains alone carry them: a third and a fifth of their length deep.
 const HANDOVER: [f64; 2] = [1.2, 2.4];
 /// No trains are farther from the shore, m.
@@ -100,6 +99,24 @@ enum Window {
     Empty,
 }
 
+impl Window {
+    fn is_making(&self) -> bool {
+        matches!(self, Self::Making { .. })
+    }
+
+    /// Bytes that it holds.
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Making { bed, following, done } => {
+                let following = following.as_ref().map_or(0, |following| following.bytes());
+                bed.bytes() + following + done.iter().map(Arrivals::bytes).sum::<usize>()
+            }
+            Self::Ready(nodes) => size_of::<[u32; 2]>() * nodes.capacity(),
+            Self::Empty => 0,
+        }
+    }
+}
+
 /// See above.
 #[derive(Default)]
 pub struct Shores {
@@ -159,16 +176,22 @@ impl Shores {
         }
         let Some(trains) = self.trains else { return true };
         self.wanted = tiles;
-        if self.windows.len() > MOST_WINDOWS {
-            let wanted = &self.wanted;
-            self.windows.retain(|tile, _| wanted.contains(tile));
-        }
+        let wanted = &self.wanted;
+        let has_many = self.windows.len() > MOST_EMPTY + SLOTS;
+        self.windows.retain(|tile, window| match window {
+            Window::Making { .. } => wanted.contains(tile),
+            Window::Ready(_) => true,
+            Window::Empty => !has_many || wanted.contains(tile),
+        });
+        // One is made at a time, and what has been begun is finished first.
+        let mut tiles = self.wanted.clone();
+        tiles.sort_by_key(|tile| !self.windows.get(tile).is_some_and(Window::is_making));
         let end = now_s() + seconds;
         let mut is_first = true;
         let mut may_go_on = || std::mem::take(&mut is_first) || now_s() < end;
         let mut complete = true;
-        for tile in self.wanted.clone() {
-            if let Entry::Vacant(place) = self.windows.entry(tile) {
+        for tile in tiles {
+            if !self.windows.contains_key(&tile) {
                 if !may_begin || !may_go_on() {
                     complete = false;
                     continue;
@@ -177,7 +200,11 @@ impl Shores {
                     complete = false;
                     continue;
                 };
-                place.insert(begun(bed));
+                let window = begun(bed);
+                if window.is_making() {
+                    self.make_room();
+                }
+                self.windows.insert(tile, window);
             }
             while let Some(window @ Window::Making { .. }) = self.windows.get_mut(&tile) {
                 if !may_go_on() {
@@ -188,6 +215,27 @@ impl Shores {
         }
         world.send();
         complete
+    }
+
+    /// Lets the farthest windows go that nobody wants, if there are as many as are kept.
+    fn make_room(&mut self) {
+        let across = 1i64 << SHORE_LEVEL;
+        let kept = |(tile, window): (&Tile, &Window)| (!matches!(window, Window::Empty)).then_some(*tile);
+        while self.windows.iter().filter_map(kept).count() >= SLOTS {
+            let away = |tile: &Tile| {
+                let eye = self.wanted[0];
+                let [x, y] = [0, 1].map(|axis| (i64::from(tile[axis]) - i64::from(eye[axis])).abs());
+                (x.min(across - x).max(y), *tile)
+            };
+            let spare = self.windows.iter().filter_map(kept).filter(|tile| !self.wanted.contains(tile));
+            let Some(farthest) = spare.max_by_key(away) else { return };
+            self.windows.remove(&farthest);
+        }
+    }
+
+    /// Bytes of all windows that are kept or being made.
+    pub fn bytes(&self) -> usize {
+        self.windows.values().map(Window::bytes).sum()
     }
 
     /// Windows around the eye that hold waves, with their nodes, the nearest first.

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::model::moved_water::Place;
+use crate::model::sea_tables::SeaTables;
 use crate::model::surf::SurfWave;
 use crate::model::waves::{self, CASCADES};
 use crate::scene::sea::Seas;
@@ -30,6 +31,18 @@ pub struct SurfaceSample {
 /// The share of the waves that water `depth_m` deep holds: see [`HELD_BY_DEPTH`].
 pub fn allowed_by_depth(depth_m: f64, hs_m: f64) -> f64 {
     if hs_m > 0.0 { (HELD_BY_DEPTH * depth_m / hs_m).clamp(0.0, 1.0) } else { 1.0 }
+}
+
+/// Significant height in m of the waves that are drawn over water `depth_m` deep: of the patches, as high as `gains` say and the depth allows, and of
+/// the trains of a shore, which break.
+pub fn height_here_m(tables: &SeaTables, depth_m: f64, gains: [f64; CASCADES], shore: Option<&ShoreWaves>) -> f64 {
+    let Some(shore) = shore else {
+        let height_m = tables.height_gain(gains) * tables.sea.hs_m;
+        return allowed_by_depth(depth_m, height_m) * height_m;
+    };
+    let allowed = allowed_by_depth(depth_m, shore.level * tables.height_gain(gains) * tables.sea.hs_m);
+    let left = std::array::from_fn(|index| gains[index] * shore.patches[index]);
+    libm::hypot(allowed * tables.height_gain(left) * tables.sea.hs_m, shore.hs_m)
 }
 
 impl Seas {

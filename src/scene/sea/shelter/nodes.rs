@@ -8,7 +8,9 @@ use crate::data::exposure::{ShoreDistances, Water, cos_lat};
 use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, lat_lon_from_map, texels_across};
 use crate::model::lakes;
 use crate::model::sea_tables::SeaTables;
-use crate::model::sheltered_sea::{DIRECTIONS, Exposure, Exposures, FARTHEST_M, LocalSea, MOST_GAIN, RINGS};
+use crate::model::sheltered_sea::{
+    DIRECTIONS, Exposure, Exposures, FARTHEST_M, LocalSea, LocalWaves, MOST_GAIN, RINGS,
+};
 
 /// Levels of tiles above that of the nodes: their texels are half as wide as nodes are apart.
 const TILES_ABOVE: u32 = 7;
@@ -101,40 +103,56 @@ impl Local {
         })
     }
 
-    /// A node's gains, from exposures that hold what is needed. A lake has no open sea beyond its shores.
+    /// The sea that a node's water has, and what stands in its way there. A lake has no open sea beyond its shores.
+    fn of(&self, node: &Node) -> (Option<Arc<LocalSea>>, Exposures) {
+        let exposures = node.exposures();
+        let lake = (node.water == Water::Lake).then(|| self.of_lake(self.depth_m(node, &exposures)));
+        (lake, exposures)
+    }
+
+    /// A node's gains, from exposures that hold what is needed.
     pub(super) fn gains(&self, node: &Node) -> Gains {
-        match node.water {
-            Water::Ocean => self.open.gains(&node.exposures()),
-            Water::Lake => {
-                let exposures = node.exposures();
-                self.of_lake(self.depth_m(node, &exposures)).gains(&exposures)
-            }
+        let (lake, exposures) = self.of(node);
+        lake.as_deref().unwrap_or(&self.open).gains(&exposures)
+    }
+
+    /// The waves of nodes, each of which counts for a share.
+    pub(super) fn waves(&self, nodes: &[(f64, Node)]) -> LocalWaves {
+        let mut waves = LocalWaves::default();
+        for (share, node) in nodes {
+            let (lake, exposures) = self.of(node);
+            waves.add(*share, lake.as_deref().unwrap_or(&self.open), &exposures);
         }
+        waves
     }
 }
 
-/// The gains of a water between four nodes, which `known` tells: `None` where it does not know, `Some(None)` where they know no water.
+/// The four nodes around a place, and the share that each has in its water, together 1. They are what `known` tells: `None` where it does
+/// not know, `Some(None)` where they know no water.
 pub(super) fn between(
     level: usize,
     (x, y): (f64, f64),
     water: Water,
     mut known: impl FnMut([u32; 2]) -> Option<Node>,
-) -> Option<Option<Gains>> {
+) -> Option<Option<[(f64, Node); 4]>> {
     let around = f64::from(BITS[level]).exp2();
     let (gx, gy) = (x * around, y * around);
     let (i, j) = (gx.floor(), gy.floor());
     let (fx, fy) = (gx - i, gy - j);
-    let (mut sum, mut all) = ([0.0; RINGS], 0.0);
-    for (di, dj, share) in
-        [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
-    {
+    let mut nodes = [(0.0, Node::NONE); 4];
+    let corners = [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)];
+    for (found, (di, dj, share)) in nodes.iter_mut().zip(corners) {
         let place = [(i as u32 + di) & ((1 << BITS[level]) - 1), j as u32 + dj];
         let node = known(place)?;
-        let weight = share * node.counts(water);
-        all += weight;
-        sum = std::array::from_fn(|ring| sum[ring] + weight * node.gains[ring]);
+        *found = (share * node.counts(water), node);
     }
-    Some((all > LEAST_KNOWN).then(|| sum.map(|sum| sum / all)))
+    let all: f64 = nodes.iter().map(|(weight, _)| weight).sum();
+    Some((all > LEAST_KNOWN).then(|| nodes.map(|(weight, node)| (weight / all, node))))
+}
+
+/// The gains between nodes of [`between`].
+pub(super) fn mean_gains(nodes: &[(f64, Node); 4]) -> Gains {
+    std::array::from_fn(|ring| nodes.iter().map(|(share, node)| share * node.gains[ring]).sum())
 }
 
 /// The finest level of tiles that nodes look at, which are 2 to the power of `bits` around the map.

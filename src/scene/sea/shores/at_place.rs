@@ -9,7 +9,7 @@ use crate::data::tile::{MapPoint, Projection};
 use crate::data::world::{SHORE_LEVEL, SHORE_SIDE};
 use crate::model::sea_bed::smoothstep;
 use crate::model::shore_waves::{SHALLOWEST_M, Shallows, regular};
-use crate::model::surf::{SurfWave, TrainSum};
+use crate::model::surf::{self, SurfWave, TrainSum};
 use crate::model::wave_trains::{TAKEN, TRAINS};
 use crate::model::{GRAVITY, noise, surface, waves};
 
@@ -18,6 +18,8 @@ use crate::model::{GRAVITY, noise, surface, waves};
 pub struct ShoreWaves {
     /// The water, slopes east and north.
     pub wave: SurfWave,
+    /// Significant height of the trains, m.
+    pub hs_m: f64,
     /// Share of the trains' energy that is theirs here.
     pub share: f64,
     /// What they leave of the height of each patch, and of the mean level's.
@@ -61,7 +63,7 @@ impl Shores {
             })
             .collect();
         let found: f64 = windows.iter().map(|window| window.3).sum();
-        let mut sum = TrainSum::default();
+        let (mut sum, mut energy_m2) = (TrainSum::default(), 0.0);
         for (index, train) in trains.iter().enumerate() {
             let now = surface::phase_at(waves::cycles_per_tick(train.omega), ticks);
             let (mut wave, mut way, mut energies) = (DVec2::ZERO, DVec2::ZERO, 0.0);
@@ -74,6 +76,7 @@ impl Shores {
                 way += energy * size * DVec2::new(east, -south);
                 energies += energy * size * size;
             }
+            energy_m2 += train.amplitude_m * train.amplitude_m * energies;
             let h = depth_m.max(SHALLOWEST_M);
             let u = train.omega * train.omega * h / GRAVITY;
             let drawn = train.amplitude_m * libm::sqrt(energies) / wave.length().max(1e-6) * wave;
@@ -88,7 +91,14 @@ impl Shores {
         let taken = self.taken_share(sea);
         let left = |taken: f64| libm::sqrt((1.0 - taken * share).max(0.0));
         let patches = TAKEN.map(|part| left(part * part));
-        (found > 0.0).then(|| ShoreWaves { wave: sum.wave(omega, water, wanted), share, patches, level: left(taken) })
+        (found > 0.0).then(|| ShoreWaves {
+            wave: sum.wave(omega, water, wanted),
+            // A wave is twice as high as the sum is long, whose square has the trains' energy for a mean.
+            hs_m: surf::significant_height(omega, water, 2.0 * libm::sqrt(wanted * energy_m2)),
+            share,
+            patches,
+            level: left(taken),
+        })
     }
 }
 
