@@ -58,17 +58,19 @@ fn in_window(place: Among, k: u32, train: u32) -> InWindow {
     let step = vec2i(side) * place.step;
     let tile = bitcast<vec2u>(bitcast<vec2i>(place.tile) + step) & vec2u((1u << SHORE_LEVEL) - 1u);
     let entry = shore_words[SHORE_TABLE + (tile.y & 7u) * 8u + (tile.x & 7u)];
-    let is_there = (entry.x == (tile.x | (tile.y << 16u))) & (entry.y > 0u);
+    // Its slot, counted from 1, and in the upper half by which share it is there.
+    let slot = entry.y & 0xffffu;
+    let there = select(0.0, f32(entry.y >> 16u) / 65535.0, (entry.x == (tile.x | (tile.y << 16u))) & (slot > 0u));
     let shares = select(1.0 - place.beyond, place.beyond, side == vec2u(1u));
     let at = clamp((place.inside - vec2f(step) + 0.5) * f32(SHORE_SIDE / 2u), vec2f(0.0), vec2f(f32(SHORE_SIDE) - 1.001));
     let low = vec2u(at);
     let f = at - vec2f(low);
-    let base = SHORE_NODES + (max(entry.y, 1u) - 1u) * SHORE_SIDE * SHORE_SIDE * SHORE_TRAINS;
+    let base = SHORE_NODES + (max(slot, 1u) - 1u) * SHORE_SIDE * SHORE_SIDE * SHORE_TRAINS;
     let top = mix(node_value(base, low, train), node_value(base, low + vec2u(1u, 0u), train), f.x);
     let bottom = mix(node_value(base, low + vec2u(0u, 1u), train), node_value(base, low + vec2u(1u), train), f.x);
     let found = mix(top, bottom, f.y);
     let chance = f32(hash(vec3u(tile, train)) >> 8u) / 16777216.0;
-    return InWindow(found.x, found.yz, select(0.0, shares.x * shares.y, is_there), chance);
+    return InWindow(found.x, found.yz, there * shares.x * shares.y, chance);
 }
 
 // All trains at a place, and how much of the windows' energy has been found. Each train is as high as its windows say; where two have it, its

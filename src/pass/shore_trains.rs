@@ -2,12 +2,21 @@
 
 use std::sync::Arc;
 
+use crate::data::fetch::now_s;
 use crate::gpu::Gpu;
 use crate::scene::frame::Frame;
 use crate::scene::sea::shores::{Header, SLOTS, Shores, Tile, WORDS};
 
-/// A slot's window, and its nodes.
-type Held = (Tile, Arc<Vec<[u32; 2]>>);
+/// In how many seconds a window of a moving picture comes.
+pub const COMES_S: f64 = 1.5;
+
+/// A slot's window.
+struct Held {
+    tile: Tile,
+    nodes: Arc<Vec<[u32; 2]>>,
+    /// Instant since when it shows, s; it is whole from [`COMES_S`] later on.
+    since_s: f64,
+}
 
 /// The buffer, and whose nodes each slot holds.
 pub struct ShoreTrains {
@@ -28,21 +37,25 @@ impl ShoreTrains {
         self.held.iter().flatten().count()
     }
 
-    /// Takes the windows around a frame's eye; true where the buffer is another one from now on.
-    pub fn prepare(&mut self, gpu: &Gpu, shores: &Shores, frame: &Frame) -> bool {
+    /// Takes the windows around a frame's eye; true where the buffer is another one from now on. In a picture that is `moving` new ones come by and
+    /// by, others are whole at once.
+    pub fn prepare(&mut self, gpu: &Gpu, shores: &Shores, frame: &Frame, moving: bool) -> bool {
         let wanted: Vec<_> = shores.ready().collect();
         let grows = !self.is_whole && !wanted.is_empty();
         if grows {
             self.buffer = buffer(gpu, WORDS * size_of::<[u32; 2]>());
             self.is_whole = true;
         }
-        let is_held =
-            |held: &Held, (tile, nodes): &(Tile, &Arc<Vec<[u32; 2]>>)| held.0 == *tile && Arc::ptr_eq(&held.1, nodes);
+        let is_held = |held: &Held, (tile, nodes): &(Tile, &Arc<Vec<[u32; 2]>>)| {
+            held.tile == *tile && Arc::ptr_eq(&held.nodes, nodes)
+        };
+        let mut left = Vec::new();
         for held in &mut self.held {
             if held.as_ref().is_some_and(|held| !wanted.iter().any(|window| is_held(held, window))) {
-                *held = None;
+                left.extend(held.take());
             }
         }
+        let now_s = now_s();
         for window @ (tile, nodes) in &wanted {
             if self.held.iter().flatten().any(|held| is_held(held, window)) {
                 continue;
@@ -51,10 +64,16 @@ impl ShoreTrains {
             let bytes: &[u8] = bytemuck::cast_slice(nodes);
             let start = size_of::<Header>() + slot * bytes.len();
             gpu.queue.write_buffer(&self.buffer, start as u64, bytes);
-            self.held[slot] = Some((*tile, (*nodes).clone()));
+            // Another sea's waves at the same place are there as soon as that sea's are.
+            let since_s = left.iter().find(|left| left.tile == *tile).map_or(now_s, |left| left.since_s);
+            self.held[slot] = Some(Held { tile: *tile, nodes: (*nodes).clone(), since_s });
+        }
+        if !moving {
+            self.held.iter_mut().flatten().for_each(|held| held.since_s = now_s - COMES_S);
         }
         let slots = self.held.iter().enumerate();
-        let slots = slots.filter_map(|(slot, held)| held.as_ref().map(|(tile, _)| (*tile, slot)));
+        let share = |held: &Held| ((now_s - held.since_s) / COMES_S).clamp(0.0, 1.0);
+        let slots = slots.filter_map(|(slot, held)| held.as_ref().map(|held| (held.tile, slot, share(held))));
         gpu.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&shores.header(frame, slots)));
         grows
     }

@@ -156,7 +156,7 @@ impl Surface {
 
     /// Takes the trains of waves near the shores around the frame's eye.
     pub(super) fn take_trains(&mut self, gpu: &Gpu, frame: &Frame, shores: &Shores) {
-        if self.trains.prepare(gpu, shores, frame) {
+        if self.trains.prepare(gpu, shores, frame, self.moving) {
             self.bind(gpu);
         }
     }

@@ -42,6 +42,8 @@ pub struct Asker {
     layouts: [wgpu::BindGroupLayout; 2],
     kernel: Kernel<1>,
     trains: ShoreTrains,
+    /// Whether it asks for a moving picture.
+    pub moving: bool,
 }
 
 impl Asker {
@@ -59,12 +61,12 @@ impl Asker {
         let layouts = [kernel::frame_layout(&gpu), surface];
         let kernel = Kernel::<1>::new(&gpu, &shader::composed(source, ""), "ask", &layouts.each_ref());
         let trains = ShoreTrains::new(&gpu);
-        Self { gpu, layouts, kernel, trains }
+        Self { gpu, layouts, kernel, trains, moving: false }
     }
 
     /// What it finds at a frame's instant.
     pub fn found<A: Pod, F: Pod>(&mut self, shores: &Shores, frame: &Frame, asked: &[A]) -> Vec<F> {
-        self.trains.prepare(&self.gpu, shores, frame);
+        self.trains.prepare(&self.gpu, shores, frame, self.moving);
         assert!(shores.ready().next().is_some(), "windows of waves");
         let gpu = &self.gpu;
         let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));

@@ -11,7 +11,7 @@ use ocean_globe::model::shore_waves::Shallows;
 use ocean_globe::model::spectrum::DirectionalSpectrum;
 use ocean_globe::model::wave_trains::taken_m2;
 use ocean_globe::model::{GRAVITY, dispersion, surf};
-use ocean_globe::pass::shore_trains::ShoreTrains;
+use ocean_globe::pass::shore_trains::{COMES_S, ShoreTrains};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::sea::shores::{SLOTS, Shores};
 use ocean_globe::scene::settings::{Settings, Wind};
@@ -93,7 +93,7 @@ fn windows_take_no_more_than_64_mb() {
             making = making.max(shores.bytes() - ready);
             most = most.max(shores.bytes());
         }
-        trains.prepare(&gpu, &shores, &frame);
+        trains.prepare(&gpu, &shores, &frame, false);
         let ready: Vec<_> = shores.ready().collect();
         assert_eq!(trains.windows(), ready.len(), "all that are wanted are on the device");
         let nodes: usize = ready.iter().map(|(_, nodes)| size_of_val(&nodes[..])).sum();
@@ -131,6 +131,40 @@ struct Asked {
     unused: f32,
 }
 
+fn asked_at(&(lat, lon, water): &(f64, f64, Shallows)) -> Asked {
+    let point = MapPoint::on(Projection::Mercator, lat, lon);
+    let [depth, shore, face] = [water.h, water.d, water.m].map(|x| x as f32);
+    Asked { at: [point.u, point.v], depth, shore, face, unused: 0.0 }
+}
+
+#[test]
+fn windows_of_a_moving_picture_come_by_and_by() {
+    let mut world = World::open("www/data");
+    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
+    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
+    let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
+    let asked: Vec<_> = places(&mut world, &camera, 23.0).iter().map(asked_at).collect();
+    let shores = made(&mut world, &frame);
+    // The share of the sea's energy that the trains have, summed over the places.
+    let mut share = |asker: &mut Asker| -> f64 {
+        asker.found::<_, [f32; 8]>(&shores, &frame, &asked).iter().map(|found| f64::from(found[3])).sum()
+    };
+    let whole = share(&mut Asker::new(TRAINS));
+    let mut moving = Asker::new(TRAINS);
+    moving.moving = true;
+    let first = share(&mut moving);
+    std::thread::sleep(std::time::Duration::from_secs_f64(COMES_S));
+    let last = share(&mut moving);
+    println!("{first} of {whole} at once, {last} after {COMES_S} s");
+    assert!(whole > 30.0 && first == 0.0 && last == whole, "{first}, {last} of {whole}");
+    // A picture that stands still has no time to wait.
+    let mut stands = Asker::new(TRAINS);
+    stands.moving = true;
+    share(&mut stands);
+    stands.moving = false;
+    assert_eq!(share(&mut stands), whole);
+}
+
 #[test]
 fn trains_at_places_are_those_of_the_cpu() {
     let mut world = World::open("www/data");
@@ -142,14 +176,7 @@ fn trains_at_places_are_those_of_the_cpu() {
     (0..).zip(&mut places).for_each(|(i, place)| place.2.h *= [1.0, 3.0, 6.0][i % 3]);
     let places = places;
     let shores = made(&mut world, &frame);
-    let asked: Vec<_> = places
-        .iter()
-        .map(|&(lat, lon, water)| {
-            let point = MapPoint::on(Projection::Mercator, lat, lon);
-            let [depth, shore, face] = [water.h, water.d, water.m].map(|x| x as f32);
-            Asked { at: [point.u, point.v], depth, shore, face, unused: 0.0 }
-        })
-        .collect();
+    let asked: Vec<_> = places.iter().map(asked_at).collect();
     let found = Asker::new(TRAINS).found::<_, [f32; 8]>(&shores, &frame, &asked);
     let (mut seen, mut squares, mut heights, mut shared) = (0, [0.0; 2], 0.0, 0);
     let (spectrum, m0) = (frame.sea.sea.spectrum(), frame.sea.sea.hs_m.powi(2) / 16.0);

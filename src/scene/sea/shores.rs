@@ -251,8 +251,8 @@ impl Shores {
         (16.0 * self.taken_m2 / (sea.sea.hs_m * sea.sea.hs_m)).min(1.0)
     }
 
-    /// The words that change with time; `slots` says where the nodes of windows are.
-    pub fn header(&self, frame: &Frame, slots: impl Iterator<Item = (Tile, usize)>) -> Header {
+    /// The words that change with time; `slots` says where the nodes of windows are, and by which share of their energy these are there.
+    pub fn header(&self, frame: &Frame, slots: impl Iterator<Item = (Tile, usize, f64)>) -> Header {
         let mut words = [[0; 2]; NODES];
         // A sea without trains has none of their energy: they reach no eye.
         words[0] = [1f32, 1e-3].map(f32::to_bits);
@@ -268,8 +268,9 @@ impl Shores {
             words[2 + 2 * index] = [(phase as f32).to_bits(), 0];
         }
         words[TABLE - 1] = [(self.taken_share(&frame.sea) as f32).to_bits(), 0];
-        for ([x, y], slot) in slots {
-            words[TABLE + (y as usize & 7) * 8 + (x as usize & 7)] = [x | y << 16, slot as u32 + 1];
+        for ([x, y], slot, share) in slots {
+            words[TABLE + (y as usize & 7) * 8 + (x as usize & 7)] =
+                [x | y << 16, slot as u32 + 1 | ((65_535.0 * share) as u32) << 16];
         }
         words
     }
