@@ -5,11 +5,12 @@ use std::f64::consts::TAU;
 use ocean_globe::data::world::World;
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::wave_trains::{TRAINS, trains};
-use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::frame::{Frame, SURF_HIGHEST_M, SURF_SEEN_M};
 use ocean_globe::scene::settings::{Settings, Swell, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
 use crate::beside_shore::{Asker, made};
+use crate::kernel;
 
 const SHARES: &str = "#import surf
 @group(2) @binding(0) var<storage, read> asked: array<vec2f>;
@@ -53,4 +54,42 @@ fn white_water_is_made_by_the_crests_that_are_drawn() {
     let [narrow, wide] = [narrow, wide].map(|shares| shares.iter().sum::<f32>() / 100.0);
     println!("in the mean {narrow:.3} are white, to wide pixels {wide:.3}");
     assert!((wide / narrow - 1.0).abs() < 0.03, "{wide} for {narrow}");
+}
+
+const COMING_IN: &str = "#import surf
+@group(2) @binding(0) var<storage, read> asked: array<f32>;
+@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    found[id.x] = height_coming_in(OPEN_SEA, asked[id.x]);
+}";
+
+/// Far off, and from far above, surf goes before pictures leave it out: no white line stands where it begins.
+#[test]
+fn surf_has_no_seam_where_pictures_leave_it_out() {
+    let settings = Settings { wind: Wind { speed_mps: 15.0, from_deg: 310.0 }, ..Settings::default() };
+    for altitude_m in [2.0, 500.0, 6_000.0, 19_000.0, 19_990.0] {
+        let frame = Frame::new(&settings, &Camera::from_degrees(0.0, 0.0, altitude_m, 0.0, 60.0), 0.0, [64; 2]);
+        let ends_m = SURF_SEEN_M + 2.0 * altitude_m;
+        assert!(frame.shows_surf(ends_m - 1.0) && !frame.shows_surf(ends_m + 1.0), "{altitude_m}");
+        let asked: Vec<f32> = (0..=110).map(|percent| (0.01 * f64::from(percent) * ends_m) as f32).collect();
+        let found = kernel::answers_in::<_, f32>(COMING_IN, &asked, |uniform| *uniform = frame.uniform);
+        let open = frame.uniform.wave_height;
+        println!("{altitude_m} m: {} m near the eye of {open} m, {:?} m at the end", found[0], &found[97..=100]);
+        assert!(found[100..].iter().all(|height| *height == 0.0), "{altitude_m}: {found:?}");
+        // A smooth step over four tenths of the way has nowhere a slope of more than 1.5 / 0.4.
+        assert!(
+            found.windows(2).all(|pair| (0.0..=0.038 * open).contains(&(pair[0] - pair[1]))),
+            "{altitude_m}: {found:?}"
+        );
+        // From the highest eye that sees any there is next to none anywhere.
+        if altitude_m > 19_900.0 {
+            assert!(found[0] < 0.001 * open, "{found:?}");
+        } else if altitude_m < 10_000.0 {
+            assert_eq!(found[0], open);
+        }
+    }
+    let higher = Frame::new(&settings, &Camera::from_degrees(0.0, 0.0, SURF_HIGHEST_M, 0.0, 60.0), 0.0, [64; 2]);
+    assert!(!higher.shows_surf(0.0));
 }
