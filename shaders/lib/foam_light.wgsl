@@ -3,7 +3,7 @@
 
 const FOAM_ALBEDO = 0.55;       // of dense foam in visible light (C. Whitlock, D. Bartlett, E. Gurganus 1982)
 const THIN_FOAM_COLOUR = vec3f(0.94, 1.014, 1.04);  // a single layer of bubbles stands in the water, which takes red; its luminance is 1
-const FOAM_WRAP: f32 = 0.4;     // light goes through foam and comes out on its shaded side; share of the sun's that does
+const FOAM_WRAP: f32 = 0.25;     // light goes through foam and comes out on its shaded side; share of the sun's that does
 
 const STEEPEST_FOAM: f32 = 0.9;  // slope that foam lies at: it fills what waves fold
 

@@ -4,15 +4,19 @@
 #import lace_net
 
 // Its thickness, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
-const ROLLER = vec3f(0.15, 0.08, 8.0);
-const ROLLER_LUMPS: f32 = 0.5;    // how uneven it is, of its thickness, by the lace's level
+const ROLLER = vec3f(0.15, 0.08, 4.0);
+// How uneven it is by the lace's level, of its thickness, and how wide its lumps are at least, metres: narrower ones would be spikes.
+const ROLLER_LUMPS = vec2f(0.4, 1.5);
+const ROLLER_STEEPER: f32 = 1.8;    // than its share is its front, which the map's texels blur; ours
 const ROLLER_NEAR: f32 = 0.25;     // of its distance from the eye, at most, lest it swallow an eye that rides on the waves
 const ROLLER_WIDTHS = vec2f(1.0, 3.0); // of what breaks as one: spacings of vertices over which they lose it
 
 fn roller_height() -> Metres { return ROLLER.x + ROLLER.y * min(frame.wave_height, ROLLER.z); }
 
-// A direction of the foam map's plane, x east and y north.
-fn in_the_world(way: vec2f) -> vec2f { return way.x * wave_cells[0].axis_x.xy + way.y * wave_cells[0].axis_y.xy; }
+// Its slope, x east and y north, where the share of young foam has a slope in the foam map's plane.
+fn roller_slope(share: vec2f) -> vec2f {
+    return ROLLER_STEEPER * roller_height() * (share.x * wave_cells[0].axis_x.xy + share.y * wave_cells[0].axis_y.xy);
+}
 
 // How much higher a vertex is that a roller stands on. `kept`: what depth and lee leave of the open sea's waves.
 fn roller_at(rest: vec3f, spacing: Metres, height: Metres, local: f32, kept: f32) -> Metres {
@@ -26,6 +30,6 @@ fn roller_at(rest: vec3f, spacing: Metres, height: Metres, local: f32, kept: f32
     let young = foam_share(at, height, local, distance * frame.pixel_angle / pow(grazing, 0.65), true).young;
     let wind = wave_cells[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
-    let lumps = net(vec2i(4, -1), vec2i(512, 256), frame.lace_fraction + along / frame.foam_levels[0].side, spacing).level;
-    return min(shown * kept * young * roller_height() * (1.0 + ROLLER_LUMPS * clamp(lumps, -2.0, 2.0)), ROLLER_NEAR * distance);
+    let lumps = net(vec2i(4, -1), vec2i(512, 256), frame.lace_fraction + along / frame.foam_levels[0].side, max(spacing, ROLLER_LUMPS.y)).level;
+    return min(shown * kept * young * roller_height() * (1.0 + ROLLER_LUMPS.x * clamp(lumps, -2.0, 2.0)), ROLLER_NEAR * distance);
 }

@@ -161,7 +161,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
             dense = dense_from(shares.y);
         }
         foam = foam_of(shares.x, dense, height, seen, FINE);
-        if FINE { foam.slope += whitened * roller_height() * in_the_world(lies.slope); }
+        if FINE { foam.slope += whitened * roller_slope(lies.slope); }
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
         if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, 0.0).x); }

@@ -65,7 +65,7 @@ pub const VIEWS: [View; 15] = [
         id: "bridge",
         widget: "viewBridge",
         title: "a storm from the bridge, 7 m",
-        fragment: "view=-52,60,7,265,86&ride=1&bft=10&clouds=0.6&time=2026-12-21T03:00:31Z",
+        fragment: "view=-52,60,7,265,86&ride=1&bft=10&clouds=0.95&time=2026-12-21T03:00:31Z",
     },
     View {
         id: "calm",
@@ -89,7 +89,7 @@ pub const VIEWS: [View; 15] = [
         id: "hurricane",
         widget: "viewHurricane",
         title: "hurricane",
-        fragment: "view=40,-50,9,60,78&bft=12&clouds=0.8&time=2026-02-21T15:00:00Z",
+        fragment: "view=40,-50,9,60,78&bft=12&clouds=1&time=2026-02-21T15:00:00Z",
     },
     View {
         id: "sunset",
