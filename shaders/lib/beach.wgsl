@@ -31,7 +31,7 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let rough = vec2f(mix(0.02, 0.0006, sheen * (1.0 - 0.9 * swash.covered)));
     let moist = dry * mix(1.0, MOIST_SAND, sandy * (1.0 - swash.dry));
     // The sea's water, as the film, makes what is below it as dark as wet sand is without.
-    let out = out_of_swash(at.ground.ocean_shore, width);
+    let out = out_of_beach(at.ground.ocean_shore, width);
     let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp * (1.0 - out * out)) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
         Bed(moist, 2.0 * swash.film, 1.0), foam, MEAN_FACETS, vec3f(0.0)), light, clear);

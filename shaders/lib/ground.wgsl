@@ -103,7 +103,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
     let sight = sinking(point, direction, up, LEAST_SINKING);
-    let is_bed = (ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_sea(width));
+    let is_bed = (ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_beach(width));
     // There is nothing of the land on it: so far out the sea itself lays the sand.
     let is_apart = is_bed & ((-ground.elevation >= BED_AS_BEACH) | (ground.ocean_shore >= SHORE_SAND.y));
     let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);

@@ -104,8 +104,9 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
     // Pixels that the shore crosses show sea by its share of them.
-    let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
-    let share = ocean_share(ground, width);
+    let sight = sinking(point, direction, up, LEAST_SINKING);
+    let to_shore = width_to_shore(ground, sight, across);
+    let share = ocean_share(ground, to_shore);
     if share <= 0.0 {
         return NO_SEA;
     }
@@ -152,8 +153,10 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         if FINE {
             shares = standing(shares, grazing);
             if SURF {
-                let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, seen.level.z);
-                shares = max(shares, at_waterline(ground.ocean_shore, seen.level.z) * surf.xy);
+                let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, to_shore, seen.level.z);
+                let white = at_waterline(ground.ocean_shore, seen.level.z) * surf.xy;
+                seen = in_surf(seen, foam_at, width, white.x / max(white.x + shares.x, 1e-4));
+                shares = max(shares, white);
                 seen.hidden += surf.z * surf.z;
             }
             facets = facets_at(foam_at, across, grazing);
@@ -164,7 +167,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         if FINE { foam.slope += whitened * roller_slope(lies.slope); }
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
-        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, footprint, 0.0).x); }
+        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, to_shore, 0.0).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), height, FINE);
     }
     let clear = daylight_at(dot(frame.light, up));
@@ -187,9 +190,9 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         kind, bed, foam, facets, glow), light, clear);
     var covers = share;
     if FINE && SURF {
-        // Sand that waves run over shines as water does: either mirrors the sky where the other ends.
-        let beach = edge_seen(width) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
-        covers = mix(share, out_of_swash(ground.ocean_shore, width), beach);
+        // Sand that waves run over shines as water does: either mirrors the sky where the other ends, at the place where a sight meets level water, as land has it.
+        let beach = edge_seen(to_shore) * (1.0 - ground.cliff) * select(0.0, 1.0, point.square == MERCATOR);
+        covers = mix(share, out_of_swash(ground.ocean_shore + in.height * dot(ground.shore_rise, sight), to_shore), beach);
     }
     // The bed has no air before it yet, land has.
     var radiance = through_air(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance);

@@ -38,6 +38,14 @@ fn edge_of_sea(width: Metres) -> Metres { return edge_seen(width) * max(EDGE_FAD
 // How much of the sea there is, a signed distance from its shore, positive in it.
 fn out_of_swash(ocean_shore: Metres, width: Metres) -> f32 { return smoothstep(0.0, max(edge_of_sea(width), 1e-3), ocean_shore); }
 
+// Over so many times that the beach's own water goes on below the sea's, from a part of it on: where both were let off over the same way dry sand would be a
+// line between them, and where one lay whole below the other a dark one.
+const BEACH_BELOW = vec2f(0.3, 1.5);
+
+fn edge_of_beach(width: Metres) -> Metres { return BEACH_BELOW.y * edge_of_sea(width); }
+
+fn out_of_beach(ocean_shore: Metres, width: Metres) -> f32 { return smoothstep(BEACH_BELOW.x * edge_of_sea(width), max(edge_of_beach(width), 1e-3), ocean_shore); }
+
 // Depth of the ocean in a pixel, which its middle may miss: there as at a gentle shore.
 fn ocean_depth(ground: Ground, footprint: Metres, share: f32) -> Metres { return max(-ground.elevation, 0.01 * footprint * share); }
 

@@ -14,7 +14,7 @@ struct Trains { z: vec2f, cosines: vec2f, sines: vec2f, hidden: f32 }
 
 const NO_TRAINS = Trains(vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0);
 
-// Waves at a place: height over the mean level, its slope east and north, how far broken (0 to 1), seconds since the last crest, how high
+// Waves at a place: height over the mean level, its slope east and north, how far its group has broken (0 to 1), seconds since the last crest, how high
 // the waves are, the share of the sea's energy that is theirs, and the variance of their slopes that does not show.
 struct ShoreWaves { rise: Metres, slope: vec2f, bore: f32, age: f32, height: Metres, share: f32, hidden: f32 }
 
@@ -75,8 +75,49 @@ fn in_window(place: Among, k: u32, train: u32) -> InWindow {
 
 // All trains at a place, and how much of the windows' energy has been found. Each train is as high as its windows say; where two have it, its
 // phase goes from the one's to the other's, like that of phasor noise: their sum would be as high as chance has it, for good.
-// Where the sea is not theirs, `unwanted`, the first stands for all. As in lib/waves.wgsl, the loop ends at its foot.
-struct AllTrains { sum: Trains, found: f32 }
+// Where the sea is not theirs, `unwanted`, the first stands for all. As in lib/waves.wgsl, the loop ends at its foot. `group`: `group_of` them.
+struct AllTrains { sum: Trains, found: f32, group: Metres }
+
+// Σ A e^{iθ} of each train, and its wave vector.
+alias SingleTrains = array<vec4f, SHORE_TRAINS>;
+
+// Waves break along crests that are longer than those of a sum of sines: a steep one draws what is beside it along, and bores overtake each other.
+const LONG_CRESTED: f32 = 5.0;   // over which groups are the same along the crest, of the waves' 1/k in deep water: ours
+const MOST_FREEDOM: f32 = 3.0;   // by which of what is left of groups their spread is made up for
+
+// Amplitude of the trains' group at a place, whose crest runs `along` a unit vector: the square of their sum's, smoothed along the crest, with as many low and
+// high ones as before: a sum of squares with so many degrees of freedom is made one with two (E. Wilson and M. Hilferty 1931).
+fn group_of(single: ptr<function, SingleTrains>, along: vec2f, unwanted: bool) -> Metres {
+    let omega = bitcast<f32>(shore_words[0].x);
+    let longer = LONG_CRESTED * GRAVITY / (omega * omega);
+    var energy = 0.0;
+    var smoothed = 0.0;
+    var spread = 0.0;
+    var t = 0u;
+    loop {
+        let one = (*single)[t];
+        let square = dot(one.xy, one.xy);
+        energy += square;
+        smoothed += square;
+        spread += square * square;
+        var before = 0u;
+        loop {
+            let other = (*single)[before];
+            let apart = longer * dot(one.zw - other.zw, along);
+            let same = select(0.0, 2.0 * exp(-0.5 * min(apart * apart, 60.0)), before < t);
+            smoothed += same * dot(one.xy, other.xy);
+            spread += 0.5 * same * same * square * dot(other.xy, other.xy);
+            before++;
+            if (before >= t) | unwanted { break; }
+        }
+        t++;
+        if (t == SHORE_TRAINS) | unwanted { break; }
+    }
+    let freedom = clamp(energy * energy / max(spread, 1e-12), 1.0, MOST_FREEDOM);
+    let root = pow(max(smoothed / max(energy, 1e-9), 0.0), 1.0 / 3.0);
+    let exponential = max(8.0 / 9.0 + sqrt(freedom) * (root - 1.0) + inverseSqrt(freedom) / 9.0, 0.0);
+    return sqrt(energy * exponential * exponential * exponential);
+}
 
 fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint: Metres, unwanted: bool) -> AllTrains {
     let place = among_windows(point);
@@ -85,7 +126,9 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
     // Of the way to the shore, a plane beach's part and that of Dean's profile.
     let plane = min(h / face, max(shore, 0.0));
     let curved = max(shore, 0.0) - plane;
-    var all = AllTrains(NO_TRAINS, 0.0);
+    var all = AllTrains(NO_TRAINS, 0.0, 0.0);
+    var single: SingleTrains;
+    var mean_way = vec2f(1e-9, 0.0);
     var t = 0u;
     loop {
         let about = bitcast<vec2f>(shore_words[1u + 2u * t]);
@@ -113,8 +156,11 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
         let k_here = u / (h * sqrt(hyperbolic(u)));
         let seen = 1.0 - smoothstep(0.12, 0.4, footprint * k_here / WHOLE_TURN);
         let height = about.y * sqrt(energy);
-        let drawn = seen * height / max(length(wave), 1e-6) * wave;
+        let whole = height / max(length(wave), 1e-6) * wave;
+        let drawn = seen * whole;
         let steep = k_here / max(length(way), 1e-9) * way * vec2f(1.0, -1.0);
+        single[t] = vec4f(whole, steep);
+        mean_way += height * height / k_here * steep;
         all.sum.z += drawn;
         all.sum.cosines += steep * drawn.x;
         all.sum.sines += steep * drawn.y;
@@ -123,8 +169,22 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
         t++;
         if (t == SHORE_TRAINS) | unwanted { break; }
     }
+    all.group = group_of(&single, normalize(vec2f(-mean_way.y, mean_way.x)), unwanted);
     return all;
 }
+
+// Depth in which waves `deep` high break, of a shore that falls by `falls`, where it is h deep, with so much of Dean's profile in it: whose slope
+// goes with the inverse root of the depth; and their height over that depth, and the slope there.
+struct Breaking { depth: Metres, index: f32, slope: f32 }
+
+fn breaking_of(deep: Metres, omega: f32, h: Metres, falls: f32, dean: f32) -> Breaking {
+    let begun = min(h / (USUALLY_BREAKS * max(deep, 1e-6)), 1.0);
+    let slope = clamp(falls * pow(begun, 0.5 * dean), 0.01, 0.1);
+    let index = breaker_index(slope, deep, omega);
+    return Breaking(breaking_depth(deep, omega * omega / GRAVITY, index), index, slope);
+}
+
+fn bore_in(h: Metres, breaks: Metres) -> f32 { return 1.0 - smoothstep(0.75, 1.0, h / max(breaks, 1e-3)); }
 
 const TOP_AHEAD = 0.4;           // of the sum's crest, radians: where white water begins
 const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at 1.57, and highest at 1.02
@@ -145,14 +205,12 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let plane = min(h / face, max(shore, 0.0));
     let curved = max(shore, 0.0) - plane;
     let falls = h / max(plane + 1.5 * curved, 1.0);
-    // Where a wave of this height breaks; as of Dean's profile, whose slope goes with the inverse root of the depth.
-    let begun = min(h / (USUALLY_BREAKS * max(deep, 1e-6)), 1.0);
-    let slope = clamp(falls * pow(begun, 0.5 * curved / max(plane + curved, 1e-9)), 0.01, 0.1);
-    let gamma = breaker_index(slope, deep, omega);
-    let breaks = breaking_depth(deep, k_deep, gamma);
+    let dean = curved / max(plane + curved, 1e-9);
+    let own = breaking_of(deep, omega, h, falls, dean);
     let grown = deep * shoaling(y);
-    let height = select(grown, min(grown, gamma * breaks * broken_height(h / breaks, slope, gamma)), h < breaks);
-    let bore = 1.0 - smoothstep(0.75, 1.0, h / max(breaks, 1e-3));
+    let height = select(grown, min(grown, own.index * own.depth * broken_height(h / own.depth, own.slope, own.index)), h < own.depth);
+    let bore = bore_in(h, own.depth);
+    let white = bore_in(h, breaking_of(2.0 * all.group * sqrt(wanted), omega, h, falls, dean).depth);
     let turn = all.sum.z / max(size, 1e-6);
     let shape = wave_shape(height, y, h, bore);
     // The shape begins with a rise, the sum with a crest.
@@ -165,9 +223,9 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let tilt = half * (-surface.y * k + (1.0 - bore) * surface.x * growth);
     let theta = angle_of(turn.y, turn.x);
     // A crest that begins to break is white from its top on, a bore from a quarter up its face, which is steep and comes before the sum's crest.
-    let ahead = mix(TOP_AHEAD, FACE_AHEAD, bore);
+    let ahead = mix(TOP_AHEAD, FACE_AHEAD, white);
     let since = theta + ahead + select(0.0, WHOLE_TURN, theta < -ahead);
-    return ShoreWaves(half * surface.x, tilt, bore * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * all.sum.hidden);
+    return ShoreWaves(half * surface.x, tilt, white * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * all.sum.hidden);
 }
 
 // What the trains leave of the sea at a place: of the first and the second patch, and of the height of all.

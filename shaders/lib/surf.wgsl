@@ -1,11 +1,12 @@
 // Surf: where waves break on a shore, and how much of the water is white. Near the eye the waves are those of the trains.
 #import world
 #import shore_trains
+#import lace
 
 // How far a front is ahead of its mean where the lobes' level is one, and how soon it is white, seconds; how much sooner crests break there.
 const FRONT_LOBES: f32 = 0.3;
 const FRONT_RISES: f32 = 0.1;
-const FRONT_QUANTILES: f32 = 5.0;      // what the quantile of the share rises by where a front begins, from a hundredth and less to all
+const FRONT_QUANTILES: f32 = 1.5;      // deviation of the share's quantile, from a hundredth and less to all, within a pixel in which a front rises
 const ENDS_LOBES: f32 = 0.35;
 const STRANDS = vec2f(6.0, 2.5);      // metres of the waterline within which foam thins, and how raggedly: `lobes`
 const SURF_WIDEST: Metres = 1500.0;   // no shore is so far from its surf
@@ -19,15 +20,15 @@ fn height_coming_in(sea: LocalSea, distance: Metres) -> Metres {
 }
 
 // Shares of the water under white water of any age (x), and under that of a crest that is just breaking (y): of the waves of the trains where
-// these show, elsewhere and from afar the mean; and by how much the shares' quantiles differ within a pixel (z), where a front begins. `incoming`: `height_coming_in`. `lobes`: a normal level of the water, by which fronts run ahead here and
-// stay behind there, and end raggedly along the crest.
-fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, footprint: Metres, lobes: f32) -> vec3f {
+// these show, elsewhere and from afar the mean; and by how much the shares' quantiles differ within a pixel (z), where a front begins. `incoming`: `height_coming_in`.
+// `width`: of the pixel across the crests. `lobes`: a normal level of the water, by which fronts run ahead here and stay behind there, and end raggedly along the crest.
+fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, width: Metres, lobes: f32) -> vec3f {
     let deep = max(depth, 0.05);
     let period = WHOLE_TURN / mean_omega();
     let celerity = sqrt(GRAVITY * deep);
     let lobe = clamp(lobes, -2.0, 2.0);
     // Wide pixels see a front rise before its instant and after it, and as much white as narrow ones do.
-    let rises = clamp(6.0 * footprint / celerity, FRONT_RISES, 0.5 * period);
+    let rises = clamp(3.0 * width / celerity, FRONT_RISES, 0.5 * period);
     let since = (waves.age + FRONT_LOBES * lobe + 0.5 * rises) / period;
     let risen = period * (since - floor(since));
     let front = smoothstep(0.0, rises, risen);
@@ -44,10 +45,29 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, fo
     // A wave that has just begun to break is white along its crest alone. Wider surf is white from where it begins, narrower less all over.
     let torn = min(frame.shore.y, 1.0) * pow(bore, 2.0 / max(frame.shore.y, 1.0));
     let crests = 1.0 - (1.0 - front * torn * exp(-age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
-    let near = waves.share * (1.0 - smoothstep(0.06, 0.25, footprint / (celerity * period)));
-    let blurred = FRONT_QUANTILES * footprint / (celerity * rises) * torn * 4.0 * front * (1.0 - front);
+    let near = min(waves.share, 1.0) * (1.0 - smoothstep(0.12, 0.4, width / (celerity * period)));
+    let blurred = FRONT_QUANTILES * width / (celerity * rises) * torn * 4.0 * front * (1.0 - front);
     return vec3f(mix(mean, crests, near), near * blurred);
 }
 
 // How much of the white water comes so near to the shore, which at the waterline strands; the water between two waves is clear there.
 fn at_waterline(shore: Metres, lobes: f32) -> f32 { return mix(0.15, 1.0, smoothstep(0.0, STRANDS.x, shore + STRANDS.y * clamp(lobes, -1.0, 2.0))); }
+
+const OF_SURF: f32 = 0.8;             // part of the variance of surf's foam that its own nets have, which are finer; and of that, the wider one's: ours
+const OF_WIDE: f32 = 0.6;
+
+// The lace where a part of the foam is surf's: what rollers leave has not been drawn out by the wind. The sea's nets, as wide as crests are apart and long along the
+// wind, would cut its lines into flecks.
+fn in_surf(seen: Lace, at: vec2f, footprint: Metres, part: f32) -> Lace {
+    let wind = wave_cells[0].wind;
+    let texels = frame.lace_fraction + vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y) / frame.foam_levels[0].side;
+    // Of 17.6 m and 5.5 m.
+    let froth = both(net(vec2i(5, -3), vec2i(128), texels, footprint), net(vec2i(7, 2), vec2i(512), texels, footprint), OF_WIDE);
+    let own = OF_SURF * saturate(part);
+    var found = seen;
+    let level = sqrt(1.0 - own) * seen.level + sqrt(own) * froth.level;
+    let hidden = mix(seen.hidden, vec3f(1.0 - froth.kept), own);
+    found.level = vec3f(level.x, seen.level.y, level.z);
+    found.hidden = vec3f(hidden.x, seen.hidden.y, hidden.z);
+    return found;
+}

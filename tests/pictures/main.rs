@@ -26,6 +26,7 @@ mod shore;
 mod shore_settings;
 mod space;
 mod spindrift;
+mod surf_lines;
 mod swash;
 mod sweep;
 mod tone;

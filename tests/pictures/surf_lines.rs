@@ -1,0 +1,45 @@
+//! Surf from the air: crests that break are long white lines along the beach, not flecks.
+
+use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::renderer::Radiance;
+
+const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
+/// Of pixels of 2.3 m, 500 m below the eye, up is along the Dutch coast, with the sea on the left.
+const SIZE: [u32; 2] = [320, 180];
+/// Columns that surf crosses.
+const SURF: std::ops::Range<usize> = 60..230;
+/// 60 m along the shore, and how far a line may then have come nearer to it, pixels.
+const ALONG: usize = 26;
+const ASIDE: usize = 5;
+/// A wave's length in shallow water, pixels.
+const ACROSS: usize = 19;
+
+#[test]
+fn breakers_are_long_lines_along_the_shore() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let (mut all, mut along, mut across) = (0.0, [0.0; 2 * ASIDE + 1], [0.0; ACROSS]);
+    for second in ["00", "07", "14"] {
+        let link = format!("#view=52.372,4.5175,500,25,0&wind=9@295&time=2026-03-03T12:40:{second}Z&clouds=0");
+        let light =
+            render::measure(&mut renderer, &render::parse_state(&link).unwrap(), SIZE, LayerName::Luminance).unwrap();
+        let [width, rows] = SIZE.map(|side| side as usize);
+        // Less than its mean at that distance from the shore, and of land not more than of foam.
+        let seen = |i: usize, j: usize| light.values[j * width + i].min(0.06);
+        let mean: Vec<f64> = (0..width).map(|i| (0..rows).map(|j| seen(i, j)).sum::<f64>() / rows as f64).collect();
+        let at = |i: usize, j: usize| seen(i, j) - mean[i];
+        // The mean product of places so many pixels apart, to the right and down.
+        let product = |right: usize, down: usize, from: usize, to: usize| {
+            let places = (from..to).flat_map(|i| (0..rows - down).map(move |j| (i, j)));
+            let count = ((to - from) * (rows - down)) as f64;
+            places.map(|(i, j)| at(i, j) * at(i + right - ASIDE, j + down)).sum::<f64>() / count
+        };
+        all += product(ASIDE, 0, SURF.start, SURF.end);
+        (0..).zip(&mut along).for_each(|(k, sum)| *sum += product(k, ALONG, SURF.start + ASIDE, SURF.end - ASIDE));
+        (1..).zip(&mut across).for_each(|(k, sum)| *sum += product(ASIDE + k, 0, SURF.start, SURF.end - k));
+    }
+    let along = along.into_iter().fold(f64::NEG_INFINITY, f64::max) / all;
+    let across = across.into_iter().fold(f64::INFINITY, f64::min) / all;
+    println!("surf is alike by {along:.3} 60 m along the shore, by {across:.3} between two crests");
+    // Flecks have 0.04 and 0.03.
+    assert!(along > 0.15 && along > across + 0.1, "{along} along, {across} across");
+}
