@@ -19,9 +19,10 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
-    @location(7) grid: vec4f,                          // `grid_at`, and `scoured_coast`
+    @location(7) grid: vec3f,                          // `grid_at`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
+    @location(8) kind: vec3f,                          // `ShoreKind`, as it stands
 }
 
 const MIRRORS_CLOUDS = FINE;
@@ -29,6 +30,7 @@ const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
+const KIND_REACH: Metres = 500.0;
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const OWN_SHADOWS = FINE || RUGGED;     // of pixels: the cells of hills change while one comes near
 const SKIRT: f32 = 2.0;          // rows whose grid coordinate lies outside 0…GRID hang down
@@ -67,7 +69,8 @@ fn vertex(in: Tile) -> Vertex {
     let grid = grid_at(point, sin_lat, spacing);
     var ground = ground_amid(point, sin_lat, spacing, grid);
     if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
-    let scoured = scoured_coast(point, sin_lat);
+    // Pixels between vertices farther than this from a shore have none within its beaches' width.
+    let kind = shore_kind(point, sin_lat, grid, ground.ocean_shore, KIND_REACH + 1.5 * spacing);
     var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
@@ -88,7 +91,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), vec4f(grid, scoured), shadow_of_vertex(rest, OWN_SHADOWS), shore);
+        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore, vec3f(kind.scoured, kind.rock, kind.bank));
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -98,13 +101,13 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
 
-fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec4f) -> Place {
+fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f, kind: vec3f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
-    var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid.xyz);
+    var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid);
     // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for
     // the air before them.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
-    return Place(distance, dn, point, part, sin_lat, ground, grid.w);
+    return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(kind.x, kind.y, kind.z));
 }
 
 // A lake or a river with the waves that the wind raises over its own fetch: near ones bend its normal. That of the lake around the eye is mostly
@@ -156,7 +159,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             point = map_point(dn);
             part = vec2f(0.0);
         }
-        let found = place(distance, dn, point, part, in.grid);
+        let found = place(distance, dn, point, part, in.grid, in.kind);
         // Each place is drawn by one square alone.
         is_own &= on_ellipsoid || square_of(found.sin_lat) == in.tile.x;
         if !is_second || !found.ground.is_ocean { at = found; }

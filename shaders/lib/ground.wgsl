@@ -6,19 +6,26 @@
 #import imagery
 #import inland
 #import plants
-#import rugged
+#import shore_kind
 #import shore_pixels
 #import water
 
 const BEACH: Metres = 50.0;     // how wide beaches are as a rule
 const SAND = vec3f(0.36, 0.31, 0.22);
 const ROCK = vec3f(0.13, 0.115, 0.10);
-// Coasts that ice has scoured: bare rock and shingle, kelp and rock below the water, no beach but in coves.
-const SCOURED = vec3f(0.105, 0.098, 0.086);
+// Rocky coasts: bare rock and shingle, weeds and rock below the water, kelp where ice has scoured them, no beach but in coves.
+const SHORE_ROCK = vec3f(0.105, 0.098, 0.086);
+const ROCKY_BED = vec3f(0.095, 0.090, 0.066);
 const SCOURED_BED = vec3f(0.055, 0.058, 0.042);
-const SCOURED_WIDTH = 0.33;      // of their bare shores, of others'
-const COVES = vec2f(0.7, 0.84); // of a noise over 1.2 km, between which shores go over to a cove's
-const SCOURED_SEEN = vec2f(100.0, 400.0);  // widths of pixels, m, between which they are no longer told from others
+const BOULDERS = vec2f(1.8, 6.0);    // how much more their tones and their slopes differ than a beach's
+const ROCKY_WIDTH = 0.33;        // of their bare shores, of a beach's
+const COVES = vec3f(0.05, 0.78, 0.14);  // of a noise over 1.2 km, up to which shores are rock where they begin to be and where all are, and over how much they go over to a cove's
+const KIND_SEEN = vec2f(100.0, 400.0);  // widths of pixels, m, between which shores are no longer told from each other
+// Where no waves come: walls and stones, or mud below mangroves.
+const BANK = vec3f(0.15, 0.145, 0.135);
+const MUD = vec3f(0.085, 0.073, 0.052);
+const BANK_WIDTH = 0.1;          // of a beach's
+const BANK_BED = vec3f(0.10, 0.092, 0.068);
 
 const WIND_RIPPLES: Metres = 0.11;      // from crest to crest
 const RIPPLED_ALONG = vec2f(0.857, 0.515);      // a way that they lie across
@@ -41,8 +48,8 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
     return across / sqrt(max(abs(dot(direction, up)), 0.05));
 }
 
-// What a pixel shows of the ground, and where. `scoured`: of `scoured_coast`; pixels so wide show nothing of it may have none.
-struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground, scoured: f32 }
+// What a pixel shows of the ground, and where. `kind`: of its shore; pixels so wide show nothing of it may have none.
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground, kind: ShoreKind }
 
 // `sandy`: how much of a beach there may be, between cliffs and snow; none of a bed is one.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
@@ -64,7 +71,7 @@ fn overgrown(inland: f32, tone: f32, footprint: Metres) -> f32 {
 struct Grain { tone: f32, slope: vec2f }
 
 // Heaps, hollows that feet and wind have left, and grains, from 4 m down to 1.6 cm. The loop ends at its foot.
-fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
+fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grain {
     let place = pattern_place(point, part);
     var found = Grain(0.0, vec2f(0.0));
     var heaps = vec2f(0.0);
@@ -80,7 +87,7 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres) -> Grain {
         if cell < 0.015 || footprint > 0.6 * cell { break; }
     }
     // Ripples that the wind has made, where it has: they fork where heaps bend them.
-    let rippled = shown(footprint, WIND_RIPPLES) * smoothstep(-0.1, 0.2, heaps.y + 0.3 * heaps.x);
+    let rippled = (1.0 - rocky) * shown(footprint, WIND_RIPPLES) * smoothstep(-0.1, 0.2, heaps.y + 0.3 * heaps.x);
     let along = TURN * fract((dot(place, RIPPLED_ALONG) + 0.12 * heaps.x + 0.5 * heaps.y) / WIND_RIPPLES);
     found.tone += 0.05 * rippled * sin(along);
     found.slope += 0.14 * rippled * cos(along) * RIPPLED_ALONG;
@@ -109,18 +116,24 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);
     var albedo: vec3f;
     var shaded = normal;
-    var scoured = at.scoured * smoothstep(SCOURED_SEEN.y, SCOURED_SEEN.x, footprint);
-    if scoured > 0.0 { scoured *= smoothstep(COVES.y, COVES.x, map_noise(point.at, 15u, 83u)); }
-    let usual_width = BEACH * mix(1.0, SCOURED_WIDTH, scoured);
-    let plain_sand = mix(mix(SAND, SCOURED, scoured), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    let kind_seen = smoothstep(KIND_SEEN.y, KIND_SEEN.x, footprint);
+    var rocky = at.kind.rock * kind_seen;
+    if rocky > 0.0 {
+        let covers = mix(COVES.x, COVES.y, rocky);
+        rocky = smoothstep(0.0, 0.2, rocky) * smoothstep(covers + COVES.z, covers, map_noise(point.at, 15u, 83u));
+    }
+    let bank = at.kind.bank * kind_seen;
+    let usual_width = BEACH * mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank);
+    let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)));
+    let plain_sand = mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
-    var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * scoured);
+    var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
     var rises = vec2f(0.0);
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
-    if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle)); }
+    if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle), rocky); }
     if IMAGERY && !is_apart {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
@@ -133,7 +146,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
             let green = greenness(albedo);
             let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
             let sunlight = sinking(point, -frame.light, up, 0.4);
-            let inland = (-ground.ocean_shore - 1.6 * washed) / beach_width(point.at, usual_width);
+            let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach_width(point.at, usual_width);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
             grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
@@ -161,7 +174,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), SCOURED_BED, 0.85 * scoured), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
@@ -170,8 +183,9 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
     if FINE && GROWTH && !is_bed {
-        albedo *= max(1.0 + mix(2.5 * flat, 1.0, bare) * grain.tone, 0.2);
-        rises = mix(rises, grain.slope, bare);
+        let boulders = mix(vec2f(1.0), BOULDERS, rocky);
+        albedo *= max(1.0 + mix(2.5 * flat, boulders.x, bare) * grain.tone, 0.2);
+        rises = mix(rises, boulders.y * grain.slope, bare);
     }
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
     // Leaves let light through to the side that is turned away.

@@ -29,6 +29,8 @@ fn imagery_row(square: u32, level: u32, columns: vec3u, row: u32, tile: vec2u, p
         + weights.z * imagery_texel(square, level, vec2u(columns.z, row), tile, page);
 }
 
+fn albedo_of(value: vec3f) -> vec3f { return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK; }
+
 // Albedo as the tiles have it: a quadratic B-spline over nine texels, which shows no squares where texels are many pixels wide.
 fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     let page = pages_at(point, level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)))).imagery;
@@ -38,7 +40,7 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
     let value = down.x * imagery_row(point.square, page.level, nine.columns, nine.rows.x, nine.tile, page, along)
         + down.y * imagery_row(point.square, page.level, nine.columns, nine.rows.y, nine.tile, page, along)
         + down.z * imagery_row(point.square, page.level, nine.columns, nine.rows.z, nine.tile, page, along);
-    return IMAGERY_SCALE * pow(value, vec3f(IMAGERY_POWER)) + IMAGERY_DARK;
+    return albedo_of(value);
 }
 
 // What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,

@@ -37,7 +37,7 @@ impl WorldTiles {
         let tables = (Projection::ALL.len() * PAGE_LEVELS) as u64;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
         let binds = [Bind::Texels(wgpu::TextureViewDimension::D2Array)];
-        let imagery_layout = gpu.layout("imagery", wgpu::ShaderStages::FRAGMENT, &binds);
+        let imagery_layout = gpu.layout("imagery", wgpu::ShaderStages::VERTEX_FRAGMENT, &binds);
         let view = array_view(&atlases[Layer::Imagery as usize]);
         let imagery = gpu.bind("imagery", &imagery_layout, &[wgpu::BindingResource::TextureView(&view)]);
         let pages = gpu.empty_buffer("pages", usage, tables * TABLE_BYTES);
