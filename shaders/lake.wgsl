@@ -12,6 +12,7 @@
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const MIRRORS_CLOUDS = FINE;
+const ROLLERS = false;
 const SAME_LEVEL: Metres = 0.5;    // of two places of one lake
 
 struct Vertex {

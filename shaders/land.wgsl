@@ -107,7 +107,9 @@ fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f,
     // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for
     // the air before them.
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
-    return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(kind.x, kind.y, kind.z));
+    // Vertices farther out have not looked it up: it ends before, whatever their spacing is.
+    let known = (1.0 - smoothstep(0.5 * KIND_REACH, KIND_REACH, ground.ocean_shore)) * kind;
+    return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(known.x, known.y, known.z));
 }
 
 // A lake or a river with the waves that the wind raises over its own fetch: near ones bend its normal. That of the lake around the eye is mostly

@@ -8,6 +8,8 @@
 
 @group(2) @binding(0) var<storage, read_write> plumes: array<Plume>;
 
+const ROLLERS = false;             // spindrift comes off the water's own crests
+
 // Cells of the squares: so many texels of these levels of the foam map along a side.
 const CELL_LEVELS = vec2u(1u, 3u);
 const CELL_TEXELS = vec2i(4, 2);

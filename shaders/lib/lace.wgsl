@@ -51,7 +51,7 @@ const MASSES_IN_ROWS: f32 = 0.05;
 const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
-// How plainly rafts show, of thin foam that covers little and much of the water, and of the film.
+// How plainly rafts show, of thin foam that covers little and much of the water, and of the film, in winds below storms and in these.
 const RAFTS_SHOW = vec4f(0.8, 0.3, 0.9, 0.55);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);

@@ -18,8 +18,8 @@ fn roller_slope(share: vec2f) -> vec2f {
     return ROLLER_STEEPER * roller_height() * (share.x * wave_cells[0].axis_x.xy + share.y * wave_cells[0].axis_y.xy);
 }
 
-// How much higher a vertex is that a roller stands on. `kept`: what depth and lee leave of the open sea's waves.
-fn roller_at(rest: vec3f, spacing: Metres, height: Metres, local: f32, kept: f32) -> Metres {
+// How much higher a vertex is that a roller stands on, `away` from the eye. `kept`: what depth and lee leave of the open sea's waves.
+fn roller_at(rest: vec3f, away: Metres, spacing: Metres, height: Metres, local: f32, kept: f32) -> Metres {
     let distance = length(rest);
     let shown = 1.0 - smoothstep(ROLLER_WIDTHS.x, ROLLER_WIDTHS.y, spacing / frame.foam_levels[1].breaking);
     if shown <= 0.0 { return 0.0; }
@@ -31,5 +31,5 @@ fn roller_at(rest: vec3f, spacing: Metres, height: Metres, local: f32, kept: f32
     let wind = wave_cells[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
     let lumps = net(vec2i(4, -1), vec2i(512, 256), frame.lace_fraction + along / frame.foam_levels[0].side, max(spacing, ROLLER_LUMPS.y)).level;
-    return min(shown * kept * young * roller_height() * (1.0 + ROLLER_LUMPS.x * clamp(lumps, -2.0, 2.0)), ROLLER_NEAR * distance);
+    return min(shown * min(kept, 1.0) * young * roller_height() * (1.0 + ROLLER_LUMPS.x * clamp(lumps, -2.0, 2.0)), ROLLER_NEAR * away);
 }

@@ -1,11 +1,12 @@
 // Where the water's vertices are, of either mesh: on the ellipsoid, or as far over it as a lake, moved by the waves along its normal. Who
-// imports this declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as sea_pixel.wgsl does.
+// imports this declares `MEASURED`, `UNDER_WATER`, `FINE`, `WAVES`, `SURF` and `LAKE`, as sea_pixel.wgsl does, and `ROLLERS`: whether these stand on the water.
 #import projected_grid
 #import bisected_mesh
 #import world
 #import waves
 #import held
 #import shore_trains
+#import rollers
 
 const LIFT_PIXELS = 2.0;           // half a pixel, and the chords of edges some pixels long
 const STEP_BEYOND: Metres = 2.0;
@@ -17,7 +18,7 @@ fn depth_in_lake(ground: Ground) -> Metres { return select(max(LAKE_BED * ground
 fn mixed_by(distance: Metres) -> Metres { return select(distance, 0.0, LAKE); }
 
 // A vertex before and after the waves have moved it: as far as the depth allows, in a mesh whose vertices are so far apart.
-// `sea` is what the trains of a shore leave of the waves there, `rise` what they add; `is_ocean` is asked where there are waves.
+// `sea` is what the trains of a shore leave of the waves there, `rise` what they and a roller add; `is_ocean` is asked where there are waves.
 struct Place { rest: vec3f, moved: vec3f, height: Metres, allowed: f32, spacing: Metres, sea: LocalSea, rise: Metres, is_ocean: bool }
 
 fn placed(rest: vec3f, spacing: Metres) -> Place {
@@ -40,6 +41,11 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         }
         allowed = held_share(select(-ground.elevation, depth_in_lake(ground), LAKE), sea.height);
         moved = vec3f(0.0, 0.0, rise) + allowed * displacement_in(sea, rest, mixed_by(distance), spacing);
+        if ROLLERS {
+            let roller = roller_at(rest, length(rest + moved.z * up), spacing, moved.z, sea.height, allowed * sea.height);
+            rise += roller;
+            moved.z += roller;
+        }
     }
     return Place(rest, rest + moved.x * vec3f(1.0, 0.0, 0.0) + moved.y * vec3f(0.0, 1.0, 0.0) + moved.z * up, moved.z, allowed, spacing, sea, rise, is_ocean);
 }
@@ -49,7 +55,7 @@ fn beyond(place: Place) -> vec2f {
     if !WAVES || !FINE || MEASURED || UNDER_WATER { return vec2f(STEP_BEYOND, 0.0); }
     let level = vec3f(normalize(place.rest.xy + vec2f(1e-6, 0.0)), 0.0);
     let rest = place.rest + STEP_BEYOND * level;
-    // The trains of a shore are too long to differ here.
+    // The trains of a shore are too long to differ here, and rollers let no light through.
     let there = vec3f(0.0, 0.0, place.rise) + place.allowed * displacement_in(place.sea, rest, mixed_by(length(rest)), place.spacing);
     let here = place.moved - place.rest;
     return vec2f(max(STEP_BEYOND + dot(there - here, level), 0.2 * STEP_BEYOND), there.z - place.height);

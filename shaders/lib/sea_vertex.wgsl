@@ -3,7 +3,8 @@
 #import shore_pixels
 #import surf
 #import cloud_light
-#import rollers
+
+const ROLLERS = FOAM && WAVES && FINE && !MEASURED && !UNDER_WATER;
 
 struct Vertex {
     @builtin(position) position: vec4f,
@@ -22,12 +23,7 @@ fn vertex_at(place: Place) -> Vertex {
     var incoming = 0.0;
     if SURF { incoming = height_coming_in(local_sea(point), length(place.rest)); }
     let grid = grid_at(point, frame.sin_lat + sin_lat_delta(dn), max(length(place.rest) * frame.pixel_angle, 1.0));
-    var roller = 0.0;
-    if FOAM && WAVES && FINE && !MEASURED && !UNDER_WATER {
-        roller = roller_at(place.rest, place.spacing, place.height, place.sea.height, place.allowed * place.sea.height);
-    }
-    let moved = place.moved + roller * (dn + vec3f(0.0, 0.0, 1.0));
-    return Vertex(frame.clip_from_local * vec4f(moved, 1.0), place.rest, moved, place.height + roller, incoming, shadow_of_vertex(place.rest, FINE),
+    return Vertex(frame.clip_from_local * vec4f(place.moved, 1.0), place.rest, place.moved, place.height, incoming, shadow_of_vertex(place.rest, FINE),
         grid, beyond(place));
 }
 

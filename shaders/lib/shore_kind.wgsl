@@ -1,5 +1,5 @@
-// What a shore is made of: sand, rock, or a bank of mud or stones, as the ground, the sea and the shore's own shape about it tell. Of 190 coasts that were looked at, from
-// Holland's to Halong's, these say it of six in seven of 197; what a vertex looks up is smooth over kilometres. Who imports this declares IMAGERY.
+// What a shore is made of: sand, rock, or a bank of mud or stones, as the ground, the sea and the shore's own shape about it tell. Of 197 coasts that were looked at, from
+// Holland's to Halong's, these say it rightly of six in seven; what a vertex looks up is smooth over kilometres. Who imports this declares IMAGERY.
 #import imagery
 #import rugged
 

@@ -16,7 +16,7 @@ const NO_TRAINS = Trains(vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0);
 
 // Waves at a place: height over the mean level, its slope east and north, how far its group has broken (0 to 1), seconds since the last crest, how high
 // the waves are, the share of the sea's energy that is theirs, and the variance of their slopes that does not show.
-struct ShoreWaves { rise: Metres, slope: vec2f, bore: f32, age: f32, height: Metres, share: f32, hidden: f32 }
+struct ShoreWaves { rise: Metres, slope: vec2f, white: f32, age: f32, height: Metres, share: f32, hidden: f32 }
 
 const NO_SHORE_WAVES = ShoreWaves(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
 

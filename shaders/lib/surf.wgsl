@@ -33,7 +33,7 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, wi
     let risen = period * (since - floor(since));
     let front = smoothstep(0.0, rises, risen);
     let age = max(risen - 0.5 * rises, 0.0);
-    let bore = saturate(waves.bore * (1.0 + ENDS_LOBES * lobe));
+    let bore = saturate(waves.white * (1.0 + ENDS_LOBES * lobe));
     let lasts = frame.surf.wy;
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
     // The mean of all waves of a Rayleigh distribution (J. Battjes and J. Janssen 1978).

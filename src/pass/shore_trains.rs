@@ -24,12 +24,22 @@ pub struct ShoreTrains {
     pub buffer: wgpu::Buffer,
     is_whole: bool,
     held: [Option<Held>; SLOTS],
+    /// Those that are held no more: tile, since when it showed, and when it went, s.
+    left: Vec<(Tile, f64, f64)>,
 }
+
+/// So long after it went a window that comes back, with another sea's waves, shows at once, s.
+const COMES_BACK_S: f64 = 3.0;
 
 impl ShoreTrains {
     /// A buffer without windows.
     pub fn new(gpu: &Gpu) -> Self {
-        Self { buffer: buffer(gpu, size_of::<Header>()), is_whole: false, held: [const { None }; SLOTS] }
+        Self {
+            buffer: buffer(gpu, size_of::<Header>()),
+            is_whole: false,
+            held: [const { None }; SLOTS],
+            left: Vec::new(),
+        }
     }
 
     /// Windows that it holds.
@@ -49,13 +59,13 @@ impl ShoreTrains {
         let is_held = |held: &Held, (tile, nodes): &(Tile, &Arc<Vec<[u32; 2]>>)| {
             held.tile == *tile && Arc::ptr_eq(&held.nodes, nodes)
         };
-        let mut left = Vec::new();
-        for held in &mut self.held {
-            if held.as_ref().is_some_and(|held| !wanted.iter().any(|window| is_held(held, window))) {
-                left.extend(held.take());
+        let now_s = now_s();
+        for slot in &mut self.held {
+            if let Some(held) = slot.take_if(|held| !wanted.iter().any(|window| is_held(held, window))) {
+                self.left.push((held.tile, held.since_s, now_s));
             }
         }
-        let now_s = now_s();
+        self.left.retain(|(_, _, went_s)| (0.0..COMES_BACK_S).contains(&(now_s - went_s)));
         for window @ (tile, nodes) in &wanted {
             if self.held.iter().flatten().any(|held| is_held(held, window)) {
                 continue;
@@ -64,12 +74,13 @@ impl ShoreTrains {
             let bytes: &[u8] = bytemuck::cast_slice(nodes);
             let start = size_of::<Header>() + slot * bytes.len();
             gpu.queue.write_buffer(&self.buffer, start as u64, bytes);
-            // Another sea's waves at the same place are there as soon as that sea's are.
-            let since_s = left.iter().find(|left| left.tile == *tile).map_or(now_s, |left| left.since_s);
+            // Another sea's waves at the same place are there as soon as they are made.
+            let since_s = self.left.iter().find(|(left, ..)| left == tile).map_or(now_s, |(_, since_s, _)| *since_s);
             self.held[slot] = Some(Held { tile: *tile, nodes: (*nodes).clone(), since_s });
         }
-        if !moving {
-            self.held.iter_mut().flatten().for_each(|held| held.since_s = now_s - COMES_S);
+        for held in self.held.iter_mut().flatten() {
+            // A picture at rest has no next one to wait for; a page's clock may be put back.
+            held.since_s = if moving { held.since_s.min(now_s) } else { now_s - COMES_S };
         }
         let slots = self.held.iter().enumerate();
         let share = |held: &Held| ((now_s - held.since_s) / COMES_S).clamp(0.0, 1.0);
