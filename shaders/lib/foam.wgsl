@@ -24,10 +24,8 @@ fn share_beyond(height: Metres, local: f32, footprint: Metres) -> f32 {
 
 // The share where no map is: on high water, or beyond the map.
 fn share_from_afar(height: Metres, local: f32, footprint: Metres) -> f32 {
-    if frame.foam_rule == FOAM_HEIGHT {
-        return clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
-    }
-    return share_beyond(height, local, footprint);
+    let by_height = clamp((height - frame.foam_heights.x) / max(frame.foam_heights.y - frame.foam_heights.x, 1e-3), 0.0, 1.0);
+    return select(share_beyond(height, local, footprint), by_height, frame.foam_rule == FOAM_HEIGHT);
 }
 
 // The map between four texels (x), and its slope per texel (yz), in full precision: samplers' weights have eight bits and differ from one driver to
@@ -61,9 +59,8 @@ struct FoamShare { all: f32, young: f32, slope: vec2f }
 fn foam_share(at: vec2f, height: Metres, local: f32, footprint: Metres, aged: bool) -> FoamShare {
     let afar = share_from_afar(height, local, footprint);
     let beyond = FoamShare(afar, usual_young(afar), vec2f(0.0));
-    if frame.foam_rule != FOAM_FOLDS { return beyond; }
-    // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST.
-    let shown = smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0)));
+    // The map leaves the picture by and by, though it would still be seen at FOAM_HIGHEST; other rules have none. No branch tells: vertices ask, too.
+    let shown = select(0.0, smoothstep(0.0, 2.0, log2(FOAM_HIGHEST / max(frame.eye_altitude, 1.0))), frame.foam_rule == FOAM_FOLDS);
     var open = 1.0;
     var all = 0.0;
     var young = vec3f(0.0);
