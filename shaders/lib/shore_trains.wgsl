@@ -1,5 +1,6 @@
 // The trains of waves near shores: what stands for the long waves of the sea where these feel the bottom. A drawing and the reasons:
-// src/model/shore_waves.rs; windows, layout and handover: src/scene/sea/shores.rs, which does the same in f64.
+// src/model/shore_waves.rs; windows, layout and handover: src/scene/sea/shores.rs, which does the same in f64, but for how white a group is.
+// Long, but one thing: from the words of the buffer to a train in one window, to all trains at a place, to the one wave that they are there.
 #import world
 #import hash
 #import breakers
