@@ -1,6 +1,6 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
 // `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `LAKES`, whether lakes may be so near
-// that their waves show, `SWASH`, whether waves may run up it, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
+// that their waves show, `SWASH`, whether waves may run up it, `BESIDE`, whether that is drawn by itself, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
 // Long, but one thing: a place of the mesh, and the ground that a pixel of it shows, from what it is to its light through water and air.
 #import ground
 #import lace
@@ -10,10 +10,11 @@
 #import beach
 #import output
 
-struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f }
+// `beaches`: a bit for each block that is drawn with its beach.
+struct Tile { @location(0) square_level: vec2u, @location(1) tile: vec2u, @location(2) grid: vec2f, @location(3) beaches: u32 }
 
 struct Vertex {
-    @builtin(position) position: vec4f,
+    @invariant @builtin(position) position: vec4f,     // pipelines draw blocks of one tile beside each other
     @location(0) local: vec3f,
     @location(1) in_tile: vec2f,                       // 0…1 within the tile
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
@@ -23,6 +24,7 @@ struct Vertex {
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
     @location(8) kind: vec3f,                          // `ShoreKind`, as it stands
+    @location(9) @interpolate(flat) beaches: u32,
 }
 
 const MIRRORS_CLOUDS = FINE;
@@ -30,6 +32,8 @@ const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;
 const GRID: f32 = 16.0;
+const BLOCKS: f32 = 4.0;
+const BLOCK_EDGE: f32 = 1e-4;    // of a tile, from an edge between two, to where a pixel is surely of one of them
 const KIND_REACH: Metres = 500.0;
 const SHORE_CELLS: f32 = 2.0;    // from a shore on which the relief of the mesh is whole
 const OWN_SHADOWS = FINE || RUGGED;     // of pixels: the cells of hills change while one comes near
@@ -86,12 +90,24 @@ fn vertex(in: Tile) -> Vertex {
     height -= skirt * (SKIRT * spacing + 50.0);
     let local = rest + up * height;
     var shore = vec2f(0.0);
-    if SWASH {
+    if SWASH || BESIDE {
         let height = height_coming_in(local_sea(point), length(rest));
         shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore, vec3f(kind.scoured, kind.rock, kind.bank));
+        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore, vec3f(kind.scoured, kind.rock, kind.bank), in.beaches);
+}
+
+fn is_in_beaches(beaches: u32, in_tile: vec2f) -> bool {
+    let block = vec2u(clamp(in_tile, vec2f(0.0), vec2f(0.9999)) * BLOCKS);
+    return ((beaches >> (block.y * u32(BLOCKS) + block.x)) & 1u) != 0u;
+}
+
+// Whether all blocks that a pixel may be of are drawn with their beach.
+fn has_beach(beaches: u32, in_tile: vec2f) -> bool {
+    let e = vec2f(BLOCK_EDGE, -BLOCK_EDGE);
+    return is_in_beaches(beaches, in_tile + e.xx) & is_in_beaches(beaches, in_tile + e.xy)
+        & is_in_beaches(beaches, in_tile + e.yx) & is_in_beaches(beaches, in_tile + e.yy);
 }
 
 // Whether pixels are so wide that the ground's heights do not show, but the flatness of its triangles does.
@@ -194,6 +210,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             return vec4f(0.25 * frame.exposure * OPEN_REFLECTANCE, 1.0);
         }
     }
+
+    if BESIDE && beach_shows(at, width) && has_beach(in.beaches, in.in_tile) { discard; }
 
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;

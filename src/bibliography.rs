@@ -190,6 +190,10 @@ pub enum Dally1985 {}
 /// the bed's slope and the wave's steepness. No DOI.
 pub enum Weggel1972 {}
 
+/// Battjes, J. A. (1974), *Surf similarity*, Proc. 14th Int. Conf. on Coastal Eng., 466–480: what kind of breaker a wave becomes.
+/// <https://doi.org/10.1061/9780872621138.029>
+pub enum Battjes1974 {}
+
 /// Battjes, J. A. and Janssen, J. P. F. M. (1978), *Energy loss and set-up due to breaking of random waves*, Proc. 16th Int. Conf. on
 /// Coastal Eng., 569–587. <https://doi.org/10.1061/9780872621909.034>
 pub enum Battjes1978 {}

@@ -240,7 +240,7 @@ impl Renderer {
             } else {
                 Near::Nothing
             };
-            self.land.set_tiles(&self.gpu, near, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
+            self.land.set_tiles(&self.gpu, near, tiles.iter().rev().copied(), beach);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

@@ -9,9 +9,17 @@ const SWASH_FINER = 4;           // how many times smaller than at sea the lace 
 const WANDERS: Metres = 6.0;     // sideways, on the way up
 const BEACH_KIND = 2.5;          // of the water that runs up beaches
 
-// A beach that waves of a height run up: `dry` is its radiance without them, `width` that of the pixel towards the shore.
-fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: Metres, height: Metres, sandy: f32, light: Daylight, clear: Daylight) -> vec3f {
-    let x = select(max(-at.ground.ocean_shore, 0.0), -1.0, at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
+// Whether anything of it may show in a pixel so wide towards the shore.
+fn beach_shows(at: Place, width: Metres) -> bool {
+    return (at.point.square == MERCATOR) & !at.ground.is_lake & (-at.ground.ocean_shore < SWASH_WIDEST) & (out_of_beach(at.ground.ocean_shore, width) < 1.0);
+}
+
+// A beach that waves of a height run up: `dry` is its radiance without them, `as_sand` how much of a beach there may be, `width` that of the pixel towards the shore.
+fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: Metres, height: Metres, as_sand: f32, light: Daylight, clear: Daylight) -> vec3f {
+    let inland = max(-at.ground.ocean_shore, 0.0);
+    // It ends softly where it is no longer looked for.
+    let sandy = as_sand * (1.0 - smoothstep(0.7, 1.0, inland / SWASH_WIDEST));
+    let x = select(inland, -1.0, at.ground.is_lake | (sandy <= 0.0) | (at.point.square != MERCATOR));
     // Downhill, on Mercator's map.
     let rise = at.ground.shore_rise * vec2f(1.0, -1.0);
     let down = rise / max(length(rise), 1e-3);

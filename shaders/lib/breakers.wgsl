@@ -32,6 +32,18 @@ fn breaking_depth(deep: Metres, k_deep: f32, gamma: f32) -> Metres {
     return shallow * (1.0 + 0.22 * k_deep * shallow);
 }
 
+// Iribarren's number of a wave that breaks so high.
+fn similarity(slope: f32, height: Metres, omega: f32) -> f32 {
+    return slope * sqrt(WHOLE_TURN * GRAVITY / (omega * omega * max(height, 1e-6)));
+}
+
+// How far a wave has become a bore where the depth is `over` that in which it breaks: one that spills by and by, one that plunges at once, one that surges never.
+fn bore_in(over: f32, similar: f32) -> f32 {
+    let plunges = smoothstep(BREAKER_PLUNGES, BREAKER_PLUNGING, similar);
+    let surges = smoothstep(BREAKER_SURGES, BREAKER_SURGING, similar);
+    return (1.0 - surges) * (1.0 - smoothstep(mix(BREAKER_BORE_LAST, BREAKER_BORE_PLUNGING, plunges), BREAKER_BORE_FIRST, over));
+}
+
 fn broken_height(over: f32, slope: f32, gamma: f32) -> f32 {
     let ratio = BREAKER_DECAY / slope;
     let at = select(ratio, 2.505, abs(ratio - 2.5) < 5e-3);

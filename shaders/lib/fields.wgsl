@@ -10,7 +10,7 @@ const HEDGED = 0.5;               // share of borders that have one
 const BORDERS = 1.625;            // borders beside a cell, of two that it could have: see `column_of`
 // What a bright field has more, and a ripe one of red, green and blue, and a hedge less, of the ground's mean.
 const FIELD_TONE = 0.30;
-const FIELD_HUE = vec3f(0.22, 0.02, -0.12);
+const FIELD_HUE = vec3f(0.15, 0.02, -0.03);
 const HEDGE_TONE = 0.45;
 
 // `tone` and `ripe` from -1 to 1, and `hedge`, the share that hedges cover; the mean of each is none.

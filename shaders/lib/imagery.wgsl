@@ -92,7 +92,7 @@ const SHRUB = vec3f(0.75, 0.6, 0.55);
 const CANOPY = vec3f(0.95, 0.78, 0.85);
 
 // How much of red, green and blue straw has more than what is green, where the hue is one.
-const STRAW = vec3f(0.10, 0.03, -0.10);
+const STRAW = vec3f(0.10, 0.03, -0.02);
 
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, fields, and what stands on it.
 fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, standing: f32, flat: f32) -> vec3f {

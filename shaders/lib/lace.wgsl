@@ -52,7 +52,7 @@ const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film, in winds below storms and in these.
-const RAFTS_SHOW = vec4f(0.8, 0.3, 0.9, 0.55);
+const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.6);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.35;
@@ -222,9 +222,8 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     let white = opacity(above, inside, seen.hidden.x, rise, thick, deviation, rafts.x, film, fine);
     let threshold = max(normal_quantile(height * frame.film.x), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
-    // Within thin foam the film lies between the rafts.
-    let between = mix((1.0 - RAFTS * rafts.x) / (1.0 - RAFTS), 1.0, thick);
-    let faint = film * mix(rafts.y, between, inside) * (0.4 * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
+    // Within foam it has no rafts of its own. Were it only between those of thin foam, both together would be a flat sheet.
+    let faint = film * mix(rafts.y, 1.0, inside) * (0.4 * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
         + 0.6 * normal_share((filmed - FILM_RAMP) * inverseSqrt(seen.hidden.y + FILM_RAMP * FILM_RAMP)));
     let plume = normal_share((above - 0.5 * seen.level.x - 1.0) * inverseSqrt(0.25 * seen.hidden.x + 1.0));
     // The foam rises where it becomes thick.

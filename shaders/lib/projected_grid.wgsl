@@ -42,6 +42,31 @@ fn projected(device: vec2f) -> vec3f {
     return tangent * vec3f(along * direction.xy / level, strip - dip) + rise;
 }
 
+// Rows stand closer by the horizon, where a wave is a few of them high, at the cost of those before it and of the sky's, which show no water: how many there are
+// of what even ones would be, before that band and in it; and how far the band goes below the horizon and over it, device units.
+const ROWS_BY_HORIZON = vec2f(0.85, 2.0);
+const HORIZON_BAND = vec2f(0.25, 0.06);
+const LEAST_ROWS = 0.02;                   // in the sky
+const SEEN_FROM = vec2f(300.0, 3000.0);    // eyes between these heights lose the band: their horizon is round, and no wave stands out of it; metres
+
+// Device coordinate of a row that is so far, of all, between the lowest edge and the uppermost. As `row_at` of src/pass/ocean.rs.
+fn row_at(share: f32) -> f32 {
+    let lowest = -EDGE;
+    let uppermost = EDGE + EDGE_ABOVE;
+    let height = max(frame.eye_altitude + frame.projector_rise, 0.0);
+    let seen = 1.0 - smoothstep(log(SEEN_FROM.x), log(SEEN_FROM.y), log(height + 1.0));
+    let below = -asin(clamp(frame.ray_forward.z, -1.0, 1.0)) - sqrt(2.0 * height / SEMI_MINOR);
+    let horizon = tan(clamp(below, -1.5, 1.5)) / length(frame.ray_up);
+    let first = clamp(horizon - HORIZON_BAND.x, lowest, uppermost);
+    let last = clamp(horizon + HORIZON_BAND.y, lowest, uppermost);
+    let rows = mix(vec2f(1.0), ROWS_BY_HORIZON, seen * (last - first) / (HORIZON_BAND.x + HORIZON_BAND.y));
+    let before = rows.x * (first - lowest);
+    let band = rows.y * (last - first);
+    let sky = max(uppermost - lowest - before - band, LEAST_ROWS * (uppermost - last));
+    let row = share * (before + band + sky);
+    return lowest + min(row, before) / rows.x + clamp(row - before, 0.0, band) / rows.y + max(row - before - band, 0.0) / max(sky, 1e-6) * (uppermost - last);
+}
+
 const SIDE_RIM = 0.06;         // share of the grid beyond each side edge
 const NEAREST: Metres = 0.7;
 // And before a lens that the water cuts through: what the waterline leaves of its foot must be as true as the waterline.
@@ -65,7 +90,7 @@ fn rest_position(grid: vec2f) -> vec3f {
     let y = 0.5 * (grid.y + 1.0);
     let below = clamp(1.0 - y / low_rim(), 0.0, 1.0);
     let beside = sign(grid.x) * clamp((abs(grid.x) - 1.0 + SIDE_RIM) / SIDE_RIM, 0.0, 1.0);
-    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, mix(-EDGE, EDGE + EDGE_ABOVE, max(y - low_rim(), 0.0) / (1.0 - low_rim())));
+    let device = vec2f(clamp(grid.x / (1.0 - SIDE_RIM), -1.0, 1.0) * EDGE, row_at(max(y - low_rim(), 0.0) / (1.0 - low_rim())));
     let rest = projected(device);
     let right = normalize(frame.ray_right.xy);
     let ahead = vec2f(-right.y, right.x);

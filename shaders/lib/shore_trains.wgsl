@@ -175,17 +175,17 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
 }
 
 // Depth in which waves `deep` high break, of a shore that falls by `falls`, where it is h deep, with so much of Dean's profile in it: whose slope
-// goes with the inverse root of the depth; and their height over that depth, and the slope there.
-struct Breaking { depth: Metres, index: f32, slope: f32 }
+// goes with the inverse root of the depth; their height over that depth, the slope there, and how far they are bores.
+struct Breaking { depth: Metres, index: f32, slope: f32, bore: f32 }
 
 fn breaking_of(deep: Metres, omega: f32, h: Metres, falls: f32, dean: f32) -> Breaking {
     let begun = min(h / (USUALLY_BREAKS * max(deep, 1e-6)), 1.0);
-    let slope = clamp(falls * pow(begun, 0.5 * dean), 0.01, 0.1);
+    let steep = max(falls * pow(begun, 0.5 * dean), 0.01);
+    let slope = min(steep, 0.1);
     let index = breaker_index(slope, deep, omega);
-    return Breaking(breaking_depth(deep, omega * omega / GRAVITY, index), index, slope);
+    let depth = breaking_depth(deep, omega * omega / GRAVITY, index);
+    return Breaking(depth, index, slope, bore_in(h / max(depth, 1e-3), similarity(steep, index * depth, omega)));
 }
-
-fn bore_in(h: Metres, breaks: Metres) -> f32 { return 1.0 - smoothstep(0.75, 1.0, h / max(breaks, 1e-3)); }
 
 const TOP_AHEAD = 0.4;           // of the sum's crest, radians: where white water begins
 const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at 1.57, and highest at 1.02
@@ -210,8 +210,8 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let own = breaking_of(deep, omega, h, falls, dean);
     let grown = deep * shoaling(y);
     let height = select(grown, min(grown, own.index * own.depth * broken_height(h / own.depth, own.slope, own.index)), h < own.depth);
-    let bore = bore_in(h, own.depth);
-    let white = bore_in(h, breaking_of(2.0 * all.group * sqrt(wanted), omega, h, falls, dean).depth);
+    let bore = own.bore;
+    let white = breaking_of(2.0 * all.group * sqrt(wanted), omega, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
     let shape = wave_shape(height, y, h, bore);
     // The shape begins with a rise, the sum with a crest.

@@ -37,6 +37,39 @@ pub fn breaking_depth(deep: f64, k_deep: f64, gamma: f64) -> f64 {
     shallow * (1.0 + 0.22 * k_deep * shallow)
 }
 
+/// Iribarren's number of a wave that breaks `height` m high on a bed of slope `m` ([Battjes](crate::bibliography::Battjes1974)): the slope over the root of that height
+/// over the length in deep water. It tells the kind of breaker: [`PLUNGES`], [`SURGES`].
+pub fn similarity(m: f64, height: f64, omega: f64) -> f64 {
+    let length = std::f64::consts::TAU * GRAVITY / (omega * omega);
+    m / libm::sqrt(height.max(1e-6) / length)
+}
+
+/// Iribarren's numbers, about 0.4, over which breakers pass from those that spill, white along the crest first, to those that plunge, white all at once.
+pub const PLUNGES: [f64; 2] = [0.3, 0.5];
+/// And about 2, over which they pass to those that surge up the beach unbroken.
+pub const SURGES: [f64; 2] = [1.7, 2.3];
+/// Depths over the depth of breaking between which a spilling wave becomes a bore, and from which on a plunging one has.
+pub const BORE_WITHIN: [f64; 2] = [0.75, 1.0];
+/// See [`BORE_WITHIN`].
+pub const BORE_OF_PLUNGING: f64 = 0.92;
+
+/// Of what kind the breakers of an Iribarren number are: below 0.4 and from 2 on the first and the last.
+pub fn kind(similarity: f64) -> &'static str {
+    match similarity {
+        number if number < 0.4 => "spilling",
+        number if number < 2.0 => "plunging",
+        _ => "surging",
+    }
+}
+
+/// How far a wave has become a bore, 0 to 1, where the depth is `y` times that in which it breaks as one of Iribarren's number `similarity`.
+pub fn bore(y: f64, similarity: f64) -> f64 {
+    let [last, first] = BORE_WITHIN;
+    let plunges = smoothstep(PLUNGES[0], PLUNGES[1], similarity);
+    let surges = smoothstep(SURGES[0], SURGES[1], similarity);
+    (1.0 - surges) * (1.0 - smoothstep(last + plunges * (BORE_OF_PLUNGING - last), first, y))
+}
+
 /// Height over breaker height of a broken wave where the depth is `y` times that of breaking, on a bed of slope `m`
 /// ([Dally](crate::bibliography::Dally1985)); `gamma` is its height over the depth in which it broke. 1 for y >= 1.
 pub fn broken(y: f64, m: f64, gamma: f64) -> f64 {
@@ -118,6 +151,8 @@ struct Grown {
     height: f64,
     /// The depth in which it breaks, m.
     breaks: f64,
+    /// Iribarren's number as it breaks.
+    similarity: f64,
 }
 
 impl Grown {
@@ -126,12 +161,13 @@ impl Grown {
         let h = place.h.max(super::shore_waves::SHALLOWEST_M);
         let k = wavenumber(omega, h);
         // Of the bed where a wave of this height breaks.
-        let m = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).clamp(0.01, 0.1);
+        let slope = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).max(0.01);
+        let m = slope.min(0.1);
         let gamma = breaker_index(m, deep, omega);
         let breaks = breaking_depth(deep.max(1e-6), omega * omega / GRAVITY, gamma);
         let grown = deep * shoaling(k, h);
         let height = if h < breaks { grown.min(gamma * breaks * broken(h / breaks, m, gamma)) } else { grown };
-        Self { h, k, height, breaks }
+        Self { h, k, height, breaks, similarity: similarity(slope, gamma * breaks, omega) }
     }
 }
 
@@ -148,14 +184,20 @@ pub fn significant_height(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
     libm::sqrt(2.0 * squares.sum::<f64>() / QUANTILES as f64)
 }
 
+/// [`similarity`] of the wave of a frequency that is as high in deep water as the significant height, where it breaks before a place; `rms_deep` as of
+/// [`significant_height`].
+pub fn usual_similarity(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
+    Grown::new(omega, place, std::f64::consts::SQRT_2 * rms_deep).similarity
+}
+
 impl TrainSum {
     /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
     /// frequency.
     pub fn wave(&self, omega: f64, place: Shallows, energy: f64) -> SurfWave {
         let size = libm::hypot(self.z[0], self.z[1]);
         let deep = 2.0 * size * libm::sqrt(energy);
-        let Grown { h, k, height, breaks } = Grown::new(omega, place, deep);
-        let bore = 1.0 - smoothstep(0.75, 1.0, h / breaks.max(1e-3));
+        let Grown { h, k, height, breaks, similarity } = Grown::new(omega, place, deep);
+        let bore = bore(h / breaks.max(1e-3), similarity);
         let turn = self.z.map(|part| part / size.max(1e-6));
         // The shape begins with a rise, the sum with a crest.
         let phase = libm::atan2(turn[1], turn[0]) + std::f64::consts::FRAC_PI_2;

@@ -1,4 +1,7 @@
-//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in one instanced draw.
+//! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in instanced draws. What beaches show that waves run up takes much
+//! longer than other ground, and is a narrow strip: where tiles have one they are drawn without it, and then those of their blocks that it crosses once more.
+
+use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -12,6 +15,10 @@ use crate::scene::view::map_tiles::DrawnTile;
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
 pub const GRID: u32 = 16;
 const MOST_TILES: usize = 1_024;
+/// Blocks along a side of a grid, two levels of tiles down; equals `BLOCKS` in `shaders/land.wgsl`.
+const BLOCKS: u32 = 4;
+/// With a beach, in one picture; tiles that come later have none.
+const MOST_BLOCKS: usize = 4_096;
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -20,6 +27,14 @@ struct Instance {
     level: u32,
     x: u32,
     y: u32,
+    /// A bit for each block that is drawn with its beach.
+    beaches: u32,
+}
+
+impl Instance {
+    fn new(id: TileId, beaches: u32) -> Self {
+        Self { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y, beaches }
+    }
 }
 
 /// Pixels on the nearest ground that are so wide, metres, show nothing of what grows on it: seven tenths of a cell of the widest lattice of
@@ -46,42 +61,93 @@ impl Near {
     }
 }
 
-/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without, and with beaches
-/// that waves run up or without: these are never drawn without what grows beside them.
-pub fn source(kind: Kind, imagery: bool, near: Near, [rugged, beach]: [bool; 2]) -> String {
-    let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach);
-    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("SWASH", beach), ("GROWTH", growth)];
+/// What is drawn of ground where beaches are that waves run up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beach {
+    /// There are none.
+    Absent,
+    /// All but them.
+    Beside,
+    /// They, and what is nearest to them.
+    Only,
+}
+
+impl Beach {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::Absent, Self::Beside, Self::Only];
+}
+
+/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without. Beaches are never drawn
+/// without what grows beside them.
+pub fn source(kind: Kind, imagery: bool, near: Near, rugged: bool, beach: Beach) -> String {
+    let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach != Beach::Absent);
+    let [beside, swash] = [Beach::Beside, Beach::Only].map(|of| beach == of);
+    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("BESIDE", beside), ("SWASH", swash), ("GROWTH", growth)];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
 }
 
 /// The pass.
 pub struct Land {
-    /// As [`Near::ALL`], each of ground without relief of its own and without beaches, with relief, with beaches, with both.
-    pipelines: [[ByGround; 4]; 3],
+    /// As [`Near::ALL`] and [`Beach::ALL`], each of ground without relief of its own and with.
+    pipelines: [[[ByGround; 2]; 3]; 3],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
-    index_count: u32,
+    blocks: Blocks,
     instances: wgpu::Buffer,
     /// What may show in the next draw.
     near: Near,
-    /// And its tiles, as the pipelines; the last come first.
-    counts: [u32; 4],
+    /// And its draws.
+    draws: Vec<Draw>,
+    tiles: u32,
+    triangles: u32,
 }
 
-/// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
-fn mesh() -> (Vec<[f32; 2]>, Vec<u32>) {
+/// Of so many tiles, one after the other in the buffer, what of their grids, by the pipelines of a beach and of ground with relief or without.
+struct Draw {
+    by: (Beach, bool),
+    indices: Range<u32>,
+    instances: Range<u32>,
+}
+
+/// Indices of each block's triangles, row by row; all of them are the whole grid's.
+type Blocks = Vec<Range<u32>>;
+
+/// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles, block by block.
+fn mesh() -> (Vec<[f32; 2]>, Vec<u32>, Blocks) {
     let side = GRID + 3;
     let at = |i: u32| i as f32 - 1.0;
     let vertices = (0..side * side).map(|v| [at(v % side), at(v / side)]).collect();
-    (vertices, grid_triangles(side - 1, side - 1))
+    let triangles = grid_triangles(side - 1, side - 1);
+    // A cell of the skirt is of the block that it hangs from.
+    let block_of = |cell: u32| (cell.saturating_sub(1) * BLOCKS / GRID).min(BLOCKS - 1);
+    let mut indices = Vec::with_capacity(triangles.len());
+    let blocks = (0..BLOCKS * BLOCKS).map(|block| {
+        let first = indices.len() as u32;
+        for (cell, cell_indices) in (0..).zip(triangles.chunks(6)) {
+            let [column, row] = [cell % (side - 1), cell / (side - 1)].map(block_of);
+            if row * BLOCKS + column == block {
+                indices.extend_from_slice(cell_indices);
+            }
+        }
+        first..indices.len() as u32
+    });
+    let blocks = blocks.collect();
+    (vertices, indices, blocks)
+}
+
+/// Bits of a tile's blocks, of those of [`Blocks`], of which `has` is true.
+fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
+    let within = |id: TileId| id.children().filter(|_| has(id)).into_iter().flatten();
+    let bit = |block: TileId| 1 << (block.y % BLOCKS * BLOCKS + block.x % BLOCKS);
+    within(id).flat_map(within).filter(|block| has(*block)).map(bit).sum()
 }
 
 impl Land {
     /// The pass into `colour` and `depth` formats; `groups` are the layouts of bind groups: frame, surface, imagery.
     pub fn new(gpu: &Gpu, groups: [&wgpu::BindGroupLayout; 3], [colour, depth]: [wgpu::TextureFormat; 2]) -> Self {
         let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
-        let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
+        let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2, 3 => Uint32];
         let layout = |array_stride: usize, step_mode, attributes| wgpu::VertexBufferLayout {
             array_stride: array_stride as u64,
             step_mode,
@@ -92,62 +158,133 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |near: Near, ground: usize| {
-            let [rugged, beach] = [1, 2].map(|bit| ground & bit != 0);
-            let source = |kind, imagery| source(kind, imagery, near, [rugged, beach]);
-            let kinds = move || Kind::all().filter(move |kind| near.is_of(*kind) && (!beach || kind.shows_lakes()));
+        let pipelines = |near: Near, beach: Beach, rugged: bool| {
+            let source = |kind, imagery| source(kind, imagery, near, rugged, beach);
+            let shows = move |kind: &Kind| near.is_of(*kind) && (beach == Beach::Absent || kind.shows_lakes());
+            let kinds = move || Kind::all().filter(shows);
             ByGround::new(kinds, |kind, imagery| {
                 gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
             })
         };
-        let (vertices, indices) = mesh();
+        let (vertices, indices, blocks) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: Near::ALL.map(|near| [0, 1, 2, 3].map(|ground| pipelines(near, ground))),
+            pipelines: Near::ALL
+                .map(|near| Beach::ALL.map(|beach| [false, true].map(|rugged| pipelines(near, beach, rugged)))),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
-            index_count: indices.len() as u32,
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
-            instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
+            instances: gpu.empty_buffer(
+                "land tiles",
+                usage,
+                ((MOST_TILES + MOST_BLOCKS) * size_of::<Instance>()) as u64,
+            ),
+            blocks,
             near: Near::Growth,
-            counts: [0; 4],
+            draws: Vec::new(),
+            tiles: 0,
+            triangles: 0,
         }
     }
 
-    /// Sets what may show in the next draw, and its tiles, each with whether it may have beaches that waves run up; what comes first should be
-    /// near: it spares the shading of what it hides.
-    pub fn set_tiles(&mut self, gpu: &Gpu, near: Near, tiles: impl Iterator<Item = (DrawnTile, bool)>) {
-        let mut grounds: [Vec<TileId>; 4] = Default::default();
-        for (DrawnTile { id, is_rugged }, beach) in tiles.take(MOST_TILES) {
-            grounds[usize::from(is_rugged) + 2 * usize::from(beach)].push(id);
+    /// Sets what may show in the next draw, and its tiles; what comes first should be near: it spares the shading of what it hides. `has_beach`: whether
+    /// a tile, or one of their descendants, may have beaches that waves run up.
+    pub fn set_tiles(
+        &mut self,
+        gpu: &Gpu,
+        near: Near,
+        tiles: impl Iterator<Item = DrawnTile>,
+        has_beach: impl Fn(TileId) -> bool,
+    ) {
+        let whole = 0..self.blocks[self.blocks.len() - 1].end;
+        let mut room = MOST_BLOCKS;
+        let mut drawn = Vec::new();
+        for DrawnTile { id, is_rugged } in tiles.take(MOST_TILES) {
+            let found = blocks_with(id, &has_beach);
+            let beaches = if found.count_ones() as usize > room { 0 } else { found };
+            room -= beaches.count_ones() as usize;
+            drawn.push((is_rugged, Instance::new(id, beaches)));
         }
-        let instance =
-            |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
-        let instances: Vec<Instance> = grounds.iter().rev().flatten().map(instance).collect();
+        self.draws.clear();
+        self.tiles = drawn.len() as u32;
+        self.triangles = self.tiles * whole.len() as u32 / 3;
+        let mut instances = Vec::new();
+        let mut draw = |by: (Beach, bool), indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
+            let first = instances.len() as u32;
+            let here = drawn.iter().filter(|(rugged, tile)| *rugged == by.1 && of(tile.beaches));
+            instances.extend(here.map(|(_, tile)| *tile));
+            let range = first..instances.len() as u32;
+            if !range.is_empty() {
+                self.draws.push(Draw { by, indices: indices.clone(), instances: range });
+            }
+        };
+        // Ground with relief, which is near, comes first, and beaches last: what has been drawn beside them hides the rest of their blocks.
+        for rugged in [true, false] {
+            draw((Beach::Beside, rugged), &whole, &|beaches| beaches != 0);
+            draw((Beach::Absent, rugged), &whole, &|beaches| beaches == 0);
+        }
+        for rugged in [true, false] {
+            for (block, indices) in self.blocks.iter().enumerate() {
+                draw((Beach::Only, rugged), indices, &|beaches| beaches >> block & 1 != 0);
+            }
+        }
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
         self.near = near;
-        self.counts = grounds.map(|tiles| tiles.len() as u32);
     }
 
     /// Tiles and triangles of the next draw.
     pub fn counts(&self) -> [u32; 2] {
-        let tiles = self.counts.iter().sum();
-        [tiles, tiles * (self.index_count / 3)]
+        [self.tiles, self.triangles]
     }
 
-    /// Its draws, four at most, of a kind and with imagery or without.
+    /// Its draws, of a kind and with imagery or without.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
-        let mut drawn = 0;
         let near = if self.near.is_of(kind.0) { self.near } else { Near::Growth };
-        for (pipelines, count) in self.pipelines[near as usize].iter().zip(self.counts).rev() {
-            let tiles = drawn..drawn + count;
-            drawn += count;
-            if tiles.is_empty() || !pipelines.set(pass, kind, groups) {
+        let pipelines = &self.pipelines[near as usize];
+        pass.set_vertex_buffer(0, self.grid.slice(..));
+        pass.set_vertex_buffer(1, self.instances.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        let mut by = None;
+        for draw in &self.draws {
+            let (beach, rugged) = draw.by;
+            if by != Some(draw.by) && !pipelines[beach as usize][usize::from(rugged)].set(pass, kind, groups) {
                 continue;
             }
-            pass.set_vertex_buffer(0, self.grid.slice(..));
-            pass.set_vertex_buffer(1, self.instances.slice(..));
-            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..self.index_count, 0, tiles);
+            by = Some(draw.by);
+            pass.draw_indexed(draw.indices.clone(), 0, draw.instances.clone());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_are_the_grid_and_lie_where_descendants_of_their_tile_do() {
+        let (vertices, indices, blocks) = mesh();
+        let all = grid_triangles(GRID + 2, GRID + 2);
+        let sorted = |indices: &[u32]| {
+            let mut triangles: Vec<&[u32]> = indices.chunks(3).collect();
+            triangles.sort_unstable();
+            triangles.concat()
+        };
+        assert_eq!(sorted(&indices), sorted(&all), "the blocks are the grid");
+        let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 10, x: 3, y: 5 };
+        for (index, block) in blocks.iter().enumerate() {
+            let [column, row] = [index as u32 % BLOCKS, index as u32 / BLOCKS];
+            // A descendant's cells are the block's.
+            let wanted = TileId { z: id.z + 2, x: id.x * BLOCKS + column, y: id.y * BLOCKS + row, ..id };
+            let has = |tile: TileId| std::iter::successors(Some(wanted), |id| id.parent()).any(|above| above == tile);
+            assert_eq!(blocks_with(id, &has), 1 << index);
+            let width = (GRID / BLOCKS) as f32;
+            for &vertex in &indices[block.start as usize..block.end as usize] {
+                for (at, block) in vertices[vertex as usize].into_iter().zip([column, row]) {
+                    let first = block as f32 * width;
+                    assert!((first..=first + width).contains(&at.clamp(0.0, GRID as f32)));
+                }
+            }
+        }
+        assert_eq!(blocks_with(id, &|_| false), 0);
+        assert_eq!(blocks_with(id, &|_| true), 0xffff);
     }
 }

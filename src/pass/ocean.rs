@@ -11,6 +11,8 @@ use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Bind, Depth, DepthTest, Drawing};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
+use crate::model::earth::WGS84;
+use crate::model::sea_bed::smoothstep;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::settings::Mesh;
 
@@ -89,6 +91,31 @@ pub const LOW_RIM: [f32; 2] = [0.02, 0.35];
 pub const EDGE: f32 = 1.02;
 /// See [`EDGE`].
 pub const EDGE_ABOVE: f32 = 0.03;
+const ROWS_BY_HORIZON: [f64; 2] = [0.85, 2.0];
+const HORIZON_BAND: [f64; 2] = [0.25, 0.06];
+const LEAST_ROWS: f64 = 0.02;
+const SEEN_FROM_M: [f64; 2] = [300.0, 3_000.0];
+
+/// Device coordinate of a row of the even part of the grid, a share of all from the lowest; as `row_at` of `shaders/lib/projected_grid.wgsl`, which has
+/// the reasons.
+fn row_at(u: &FrameUniform, share: f32) -> f32 {
+    let [lowest, uppermost] = [-EDGE, EDGE + EDGE_ABOVE].map(f64::from);
+    let height = f64::from(u.eye_altitude + u.projector_rise).max(0.0);
+    let [from, to] = SEEN_FROM_M.map(f64::ln);
+    let seen = 1.0 - smoothstep(from, to, (height + 1.0).ln());
+    let below = -f64::from(u.ray_forward.z).clamp(-1.0, 1.0).asin() - (2.0 * height / WGS84.b).sqrt();
+    let horizon = below.clamp(-1.5, 1.5).tan() / f64::from(u.ray_up.length());
+    let [first, last] =
+        [horizon - HORIZON_BAND[0], horizon + HORIZON_BAND[1]].map(|device| device.clamp(lowest, uppermost));
+    let near = seen * (last - first) / (HORIZON_BAND[0] + HORIZON_BAND[1]);
+    let rows = ROWS_BY_HORIZON.map(|rows| 1.0 + near * (rows - 1.0));
+    let [before, band] = [rows[0] * (first - lowest), rows[1] * (last - first)];
+    let sky = (uppermost - lowest - before - band).max(LEAST_ROWS * (uppermost - last));
+    let row = f64::from(share) * (before + band + sky);
+    let above = (row - before - band).max(0.0) / sky.max(1e-6) * (uppermost - last);
+    (lowest + row.min(before) / rows[0] + (row - before).clamp(0.0, band) / rows[1] + above) as f32
+}
+
 /// Rows above the horizon that are drawn, in cells: the strip on it and the way back down (`STRIP_ROWS`), and as many again for the
 /// ellipsoid's flattening and for the 16 pixels beyond the limb.
 const ROWS_ABOVE: f32 = 12.0;
@@ -105,7 +132,7 @@ pub fn rows_to_draw(u: &FrameUniform, rows: u32, under_water: bool) -> u32 {
     let least = (ROWS_ABOVE * 1.05 * u.cell_pixels * u.pixel_angle / (1.0 - low_rim) + 0.004 * dip.min(1.0)) - dip;
     let above = |row: &u32| {
         let y = *row as f32 / rows as f32;
-        let device = -EDGE + (2.0 * EDGE + EDGE_ABOVE) * ((y - low_rim) / (1.0 - low_rim)).max(0.0);
+        let device = row_at(u, ((y - low_rim) / (1.0 - low_rim)).max(0.0));
         let elevation = |x: f32| (u.ray_forward + x * u.ray_right + device * u.ray_up).normalize().z.asin();
         y > low_rim && elevation(0.0).min(elevation(EDGE)).min(elevation(-EDGE)) > least
     };

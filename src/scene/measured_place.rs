@@ -11,6 +11,7 @@ use crate::data::world::{Look, World};
 use crate::error::{Error, Result};
 use crate::model::earth::WGS84;
 use crate::model::lakes;
+use crate::model::surf;
 use crate::model::waves;
 use crate::scene::link::fragment::parse_state;
 use crate::scene::sea::Seas;
@@ -93,6 +94,7 @@ impl MeasuredPlaces {
         object["surface"] = Value::Null;
         let tables = self.seas.tables(&state.settings);
         let mut surface = None;
+        let mut breakers = Value::Null;
         if let Some(depth_m) = sample.depth_m {
             let Some((gains, peak_s)) = self.waves(world, state, (Water::Ocean, lat, lon), look)? else {
                 return Ok(None);
@@ -105,6 +107,9 @@ impl MeasuredPlaces {
             let ticks = waves::ticks_from_unix(*unix_seconds);
             let shore = trains.and_then(|shallows| self.shores.waves_at((lat, lon), shallows, ticks));
             let hs_here_m = height_here_m(&tables, depth_m, gains, shore.as_ref());
+            if let Some(similarity) = shore.map(|shore| shore.similarity) {
+                breakers = json!({ "iribarren": similarity, "kind": surf::kind(similarity) });
+            }
             let mut by_shore = |depth_m, shore| {
                 self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore)
             };
@@ -148,6 +153,7 @@ impl MeasuredPlaces {
             surface["hs_here_m"] = hs_here_m.into();
             surface["gains"] = gains.to_vec().into();
             surface["tp_s"] = peak_s.into();
+            surface["breakers"] = breakers;
             object["surface"] = surface;
         }
         object["lat_deg"] = (*lat_deg).into();

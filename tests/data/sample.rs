@@ -216,6 +216,13 @@ fn the_height_told_on_a_beach_is_that_of_the_waves_there() {
         let (of_trains, of_all) = (4.0 * square.sqrt(), instants.first().map_or(0.0, |waves| waves.hs_m));
         println!("{depth_m:.2} m deep: told {told:.3} m, trains {of_trains:.3} m, by their energy {of_all:.3} m");
         assert!(told < 0.9 * depth_m, "{told} m in {depth_m} m");
+        // A swell of 2 m and 10 s (156 m long in deep water) that breaks 1 to 3 m high on a bed that rises by 1/100 to 1/20.
+        let breakers = &found["surface"]["breakers"];
+        if let Some(number) = breakers["iribarren"].as_f64() {
+            assert!((0.005..0.05).contains(&(number * f64::sqrt(2.0 / 156.0))), "{breakers}");
+            assert_eq!(breakers["kind"], if number < 0.4 { "spilling" } else { "plunging" }, "{breakers}");
+        }
+        assert_eq!(breakers.is_object(), shores.waves_at((lat, lon), water, 0).is_some(), "{breakers}");
         if of_all > 0.0 {
             // The breeze's own ripples are 0.2 m high, and a tenth of the swell's short waves are not the trains'.
             assert!(told >= of_all && told < of_all.hypot(0.3), "{told} m, the trains are {of_all} m high");

@@ -11,7 +11,7 @@ use ocean_globe::model::{lace, optics, wave_domain};
 use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
-use ocean_globe::pass::land::Near;
+use ocean_globe::pass::land::{Beach, Near};
 use ocean_globe::pass::look::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bed_light, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft,
@@ -60,12 +60,14 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
-            let mut land = |near, ground| all.push(("land.wgsl", land::source(kind, imagery, near, ground)));
-            [false, true].into_iter().for_each(|rugged| land(Near::Growth, [rugged, false]));
+            let mut land =
+                |near, rugged, beach| all.push(("land.wgsl", land::source(kind, imagery, near, rugged, beach)));
+            [false, true].into_iter().for_each(|rugged| land(Near::Growth, rugged, Beach::Absent));
             if kind.shows_lakes() {
-                [false, true].into_iter().for_each(|beach| land(Near::Lakes, [true, beach]));
-                land(Near::Growth, [false, true]);
-                land(Near::Nothing, [true, false]);
+                Beach::ALL.into_iter().for_each(|beach| land(Near::Lakes, true, beach));
+                land(Near::Growth, false, Beach::Beside);
+                land(Near::Growth, false, Beach::Only);
+                land(Near::Nothing, true, Beach::Absent);
             }
         }
         all.push(("sky.wgsl", sky::source(kind)));
@@ -247,7 +249,7 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), true, Near::Lakes, [true; 2]);
+    let land = land::source(Kind::default(), true, Near::Lakes, true, Beach::Only);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);

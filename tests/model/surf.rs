@@ -39,6 +39,22 @@ fn breakers_are_higher_on_steep_beaches() {
     assert!(surf::breaker_index(0.1, 3.0, omega) < steep, "steeper waves break in deeper water");
 }
 
+/// The usual examples of the kinds (Battjes 1974, figure 1): a wind sea on a flat beach spills, a swell on a usual one plunges, on a steep one it surges.
+#[test]
+fn breakers_spill_plunge_and_surge_by_iribarrens_number() {
+    let number = |m: f64, height: f64, period: f64| surf::similarity(m, height, TAU / period);
+    // ξ of a wave of 1 m and 8 s, whose length in deep water is 99.9 m, on a slope of a tenth: 0.1 · √99.9.
+    assert!((number(0.1, 1.0, 8.0) - 0.9995).abs() < 1e-3);
+    let [spilling, plunging, surging] = [number(0.01, 2.0, 7.0), number(0.06, 1.5, 11.0), number(0.25, 0.8, 12.0)];
+    assert!(spilling < 0.4 && (0.4..2.0).contains(&plunging) && surging > 2.0, "{spilling} {plunging} {surging}");
+    // From the depth where it breaks on, the first is white by and by, the second at once, the third not at all.
+    let [spills, plunges, surges] = [spilling, plunging, surging].map(|of| move |y| surf::bore(y, of));
+    assert_eq!([spills(1.0), plunges(1.0), surges(1.0)], [0.0; 3]);
+    assert!(spills(0.92) < 0.3 && spills(0.75) == 1.0, "{}", spills(0.92));
+    assert_eq!(plunges(0.92), 1.0);
+    assert_eq!(surges(0.3), 0.0);
+}
+
 #[test]
 fn broken_waves_decay_to_a_stable_height() {
     for m in [0.01, 0.02, 0.03, 0.05, 0.06, 0.1] {

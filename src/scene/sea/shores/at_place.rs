@@ -20,6 +20,8 @@ pub struct ShoreWaves {
     pub wave: SurfWave,
     /// Significant height of the trains, m.
     pub hs_m: f64,
+    /// Iribarren's number of their breakers ([`surf::similarity`]).
+    pub similarity: f64,
     /// Share of the trains' energy that is theirs here.
     pub share: f64,
     /// What they leave of the height of each patch, and of the mean level's.
@@ -90,11 +92,13 @@ impl Shores {
         let share = wanted * found;
         let taken = self.taken_share(sea);
         let left = |taken: f64| libm::sqrt((1.0 - taken * share).max(0.0));
+        // A wave is twice as high as the sum is long, whose square has the trains' energy for a mean.
+        let rms_deep_m = 2.0 * libm::sqrt(wanted * energy_m2);
         let patches = TAKEN.map(|part| left(part * part));
         (found > 0.0).then(|| ShoreWaves {
             wave: sum.wave(omega, water, wanted),
-            // A wave is twice as high as the sum is long, whose square has the trains' energy for a mean.
-            hs_m: surf::significant_height(omega, water, 2.0 * libm::sqrt(wanted * energy_m2)),
+            hs_m: surf::significant_height(omega, water, rms_deep_m),
+            similarity: surf::usual_similarity(omega, water, rms_deep_m),
             share,
             patches,
             level: left(taken),
