@@ -40,8 +40,9 @@ const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: 
 const SIDEWAYS = 0.15;
 const SIDEWAYS_DOWN = 0.25;
 const TURNED_LIGHT = vec2f(0.2, 1.2);   // of the light of a level surface: of one turned away from the sun, and of one turned to it
+const CLOSED_TURNED = 1.03;             // and of closed clouds, turned to it: they are level nearly
 const TURNED = vec2f(-0.25, 0.65);      // deviations over SUNWARDS by which the level falls on a side that is turned away from the sun, and to it
-const FACING_MEAN = 0.67;               // where nothing is known of that
+const FACING_MEAN = 0.75;               // where nothing is known of that
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
 const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
 const HIDDEN = 0.02;                    // what a cloud leaves of what is behind it, from where on a sight goes no further
@@ -74,7 +75,7 @@ fn in_heap(height: f32, top: f32, scatters: f32, cloud: InCloud, met_excess: f32
 // what is turned away from the sun, a bulge's back or a furrow, has less of them than those streams, which are level, know.
 fn cloud_source(sun: vec3f, sky: vec3f, at: InHeap, phase: f32, once: f32, rise: f32) -> vec3f {
     let through = 1.0 / (1.0 + TWO_STREAMS * (at.above + at.below));
-    let turned = mix(TURNED_LIGHT.x, TURNED_LIGHT.y, at.facing);
+    let turned = mix(TURNED_LIGHT.x, mix(TURNED_LIGHT.y, CLOSED_TURNED, at.closed), at.facing);
     let kept = mix(1.0 / (1.0 + vec2f(SIDEWAYS, SIDEWAYS_DOWN) * at.above), vec2f(1.0), at.closed);
     let sent_up = TWO_STREAMS * at.below * turned * kept.x;
     let let_down = saturate(0.5 + 3.0 * rise) * mix(turned, 1.0, saturate(0.4 * at.above)) * kept.y;
