@@ -25,18 +25,23 @@ const FINE_STEPS = 7u;                  // as many of them go on behind a cloud 
 const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
+const WISPY = 0.06;                     // deviations over which clouds' edges go at their base
+const CRISP_FROM = 0.25;                // height in the layer from which on they are crisp, and so many times as dense
+const CRISP = 4.0;
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
 const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
 const CLOSED_TO = 1.8;
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
 const CLOUD_SCATTERS = 0.0075; // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are less dense
+const MOTTLED = 1.3;                    // of closed ones: logarithm of the density, for each deviation above the weather's level
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
 // Of an optical depth towards the sun: what a heap loses through its sides of the light that goes up in it, and of that which goes down.
 const SIDEWAYS = 0.15;
-const SIDEWAYS_DOWN = 0.12;
-const TURNED_LIGHT = vec2f(0.25, 1.08);  // of the light of a level surface: of one turned away from the sun, and of one turned to it
-const TURNED = 0.6;                     // deviations over SUNWARDS by which the level falls on a side that is turned to the sun, and rises on others
+const SIDEWAYS_DOWN = 0.25;
+const TURNED_LIGHT = vec2f(0.2, 1.2);   // of the light of a level surface: of one turned away from the sun, and of one turned to it
+const CLOSED_TURNED = 1.03;             // and of closed clouds, turned to it: they are level nearly
+const TURNED = vec2f(-0.25, 0.65);      // deviations over SUNWARDS by which the level falls on a side that is turned away from the sun, and to it
 const FACING_MEAN = 0.75;               // where nothing is known of that
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
 const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
@@ -68,18 +73,25 @@ fn in_heap(height: f32, top: f32, scatters: f32, cloud: InCloud, met_excess: f32
 // Light that a cloud sends on, of what falls on it: that of two streams that none of it is lost from (A. Schuster 1905), of which an eye sees the
 // one that comes towards it, and what has met but one droplet. Heaps lose some of both through their sides, which closed clouds have none of, and
 // what is turned away from the sun, a bulge's back or a furrow, has less of them than those streams, which are level, know.
-fn cloud_source(sun: vec3f, sky: vec3f, at: InHeap, phase: f32, rise: f32) -> vec3f {
+fn cloud_source(sun: vec3f, sky: vec3f, at: InHeap, phase: f32, once: f32, rise: f32) -> vec3f {
     let through = 1.0 / (1.0 + TWO_STREAMS * (at.above + at.below));
-    let turned = mix(TURNED_LIGHT.x, TURNED_LIGHT.y, at.facing);
+    let turned = mix(TURNED_LIGHT.x, mix(TURNED_LIGHT.y, CLOSED_TURNED, at.closed), at.facing);
     let kept = mix(1.0 / (1.0 + vec2f(SIDEWAYS, SIDEWAYS_DOWN) * at.above), vec2f(1.0), at.closed);
     let sent_up = TWO_STREAMS * at.below * turned * kept.x;
     let let_down = saturate(0.5 + 3.0 * rise) * mix(turned, 1.0, saturate(0.4 * at.above)) * kept.y;
-    let lit = (sent_up + let_down) * through + 0.1 * exp(-at.above) * phase;
-    return (0.95 * sun * lit + sky * (0.3 + 0.6 * at.height)) / PI;
+    let lit = (sent_up + let_down) * through + 0.1 * phase * exp(-at.above) + once / ((1.0 + at.above) * (1.0 + at.above));
+    return (0.95 * sun * lit + sky * (0.4 + 0.5 * at.height)) / PI;
 }
 
 // Light from the sun's side is stronger, of one that is isotropic.
 fn cloud_phase(c: f32) -> f32 { return 0.75 + 0.9 * pow(0.5 + 0.5 * c, 12.0); }
+
+// And light that has met but one droplet, of a level white surface's: a quarter of its phase function (L. Henyey and J. Greenstein 1941, asymmetry
+// 0.8), of which the disc's corona has half.
+fn cloud_once(c: f32) -> f32 {
+    let x = 1.64 - 1.6 * c;
+    return 0.045 / (x * sqrt(x));
+}
 
 // What clouds add to a sight, and what they leave of what is behind them.
 struct Veil { radiance: vec3f, through: f32 }
@@ -109,11 +121,18 @@ fn between(from_x: f32, to_x: f32, deviation: f32) -> InCloud {
     return InCloud(share, min(deviation * max(more.z, 0.0) / share, 1.5));
 }
 
+// How much less colour the air takes from the light of clouds than of the way to them alone: it would leave far rows of them pink, which by day are
+// white, lit by more blue than this light's sun and sky.
+const GREY_AIR = 0.7;
+
+fn grey_air(transmittance: vec3f) -> vec3f { return mix(transmittance, vec3f(dot(transmittance, LUMINANCE)), GREY_AIR); }
+
 // Water clouds between the eye and `far`. One look at the field a turn: along the sight with wide steps; where these meet a cloud, with fine ones;
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
     let clear = air_under(cover_at_eye());
+    let once = cloud_once(dot(direction, frame.light));
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.last - stretch.first - (stretch.returns - stretch.leaves), 0.0);
@@ -146,14 +165,16 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
         // A look towards the sun asks as well how high the cloud is there, by more octaves than tell whether it is one.
         let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
-        let deviation = sqrt(level.y + CLOUD_SOFT * CLOUD_SOFT);
+        let soft = mix(WISPY, CLOUD_SOFT, smoothstep(0.0, CRISP_FROM, height));
+        let deviation = sqrt(level.y + soft * soft);
         let x = (level.x - edge) / deviation;
         let goes_on = is_fine & !is_lit;
         let cloud = between(select(x, last_x, goes_on), x, deviation);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
         let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * cloud_pixel()), 1.0), 0.8), CLOUD_LEAST);
-        let opaque = min(cloud.share * (1.0 - exp(-dense * cloud.excess * step / clouds)), 0.9999);
+        let crisp = mix(1.0, select(CRISP, 1.0, is_wide), smoothstep(0.0, CRISP_FROM, height));
+        let opaque = min(cloud.share * (1.0 - exp(-crisp * dense * cloud.excess * step / clouds)), 0.9999);
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
@@ -161,14 +182,15 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
             let top = cloud_top(max(max(edge, 0.0) + cloud.excess, level.x), weather.x);
             let closed = smoothstep(CLOSED_FROM, CLOSED_TO, weather.x);
             let wideness = select(smoothstep(0.5, 1.0, sight * cloud_pixel() / WIDE_PIXEL), 1.0, is_wide);
-            let turned = smoothstep(-TURNED, TURNED, met_over - (level.x - edge));
+            let turned = smoothstep(TURNED.x, TURNED.y, met_over - (level.x - edge));
             let facing = select(FACING_MEAN, mix(turned, FACING_MEAN, wideness), is_lit);
             // Wide pixels hide what is thin in the tops as well.
-            let scatters = CLOUD_SCATTERS * mix(1.0, 0.66, closed) * pow(dense / CLOUD_OPACITY, 0.3);
+            let mottled = exp(closed * clamp(MOTTLED * (level.x - weather.x) / (heaped(weather) + 0.5), -1.2, 0.7));
+            let scatters = CLOUD_SCATTERS * mix(1.0, 0.6, closed) * mottled * pow(dense / CLOUD_OPACITY, 0.3);
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
             heap.above = max(closed_ahead, heap.above);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
-            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, direction.z);
+            veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, once, direction.z);
             way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
         }
@@ -191,7 +213,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
-    veil.radiance = veil.radiance * air.transmittance + hidden * lit_air(air.radiance, clear);
+    veil.radiance = veil.radiance * grey_air(air.transmittance) + hidden * lit_air(air.radiance, clear);
     if GLOBE { return veil; }
     // Before all of them stands the spray.
     var light = daylight_at(frame.light.z);
@@ -217,7 +239,7 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let air = haze(direction, t);
     let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
     let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
-    return Veil(shade * (lit * air.transmittance + air.radiance), 1.0 - shade);
+    return Veil(shade * (lit * grey_air(air.transmittance) + air.radiance), 1.0 - shade);
 }
 
 // Drops send half of what they scatter on, within a degree or two of its way, by diffraction: what thin clouds take from the disc stands about it.

@@ -18,8 +18,10 @@ const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 // Variance of each octave, of the one before: down to heaps, and of these and what they are made of; and of the first, of all.
 const CLOUD_FADE = 0.9;
-const BILLOW_FADE = 0.5;
-const CLOUD_FIRST = 0.2123;
+const BILLOW_FADE = 0.3;
+const CLOUD_FIRST = 0.2286;
+// Cells of what heaps are made of are turned against those before: where all lie along the same axes, heaps are square.
+const CLOUD_TURN = mat3x3f(0.0, 0.8, 0.6, -0.8, 0.36, -0.48, -0.6, -0.48, 0.64);
 const CLOUD_OCTAVES = 9u;
 const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
 const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge: of light that goes on ahead counts as not scattered
@@ -68,6 +70,7 @@ fn heaped(weather: vec2f) -> f32 { return HEAPED.x + HEAPED.y * normal_share((we
 // `weather`: the levels of it there. As in lib/waves.wgsl, the loop ends at its foot.
 fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
     var sum = weather.x;
+    var turned = place;
     var cell = CLOUD_WIDEST;
     let heaps = heaped(weather);
     let variance = CLOUD_VARIANCE * heaps * heaps;
@@ -76,11 +79,12 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
     var i = 0u;
     loop {
         let shown = 1.0 - smoothstep(0.2, 0.7, footprint / cell);
-        let noise = cloud_noise(place / cell, i);
+        let noise = cloud_noise(turned / cell, i);
         sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         cell /= CLOUD_FINER;
         part *= select(CLOUD_FADE, BILLOW_FADE, i > CLOUD_BILLOWS);
+        if i >= CLOUD_BILLOWS { turned = CLOUD_TURN * turned; }
         i++;
         let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
         if i == CLOUD_OCTAVES || footprint >= 0.7 * cell || is_certain { break; }

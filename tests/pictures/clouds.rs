@@ -180,6 +180,23 @@ fn closed_clouds_have_relief_from_above() {
 }
 
 #[test]
+fn far_clouds_are_no_pinker_than_near_ones() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // Over closed clouds by day, which end at the horizon a fifth of the picture below its top.
+    let link = "#view=-20,-110,3000,330,75&bft=4&clouds=0.55&time=2026-05-04T15:30Z&quality=high";
+    let pixels = picture(&mut renderer, link, SIZE);
+    let redness = |rows| {
+        let [red, _, blue] = mean(&pixels, 160, rows);
+        red - blue
+    };
+    let far = (17..26).map(|row| redness(row..row + 1)).fold(f64::MIN, f64::max);
+    let near = redness(75..90);
+    println!("red is over blue by {far:.1} of 255 where clouds end, and by {near:.1} near the eye");
+    // Two of 255 are as little as is seen between neighbours. Where the air took blue from what is far, and gave none of it back, it was five.
+    assert!(far < near + 2.0, "{far} {near}");
+}
+
+#[test]
 fn overcast_skies_have_shades() {
     const SIZE: [u32; 2] = [160, 90];
     /// Pixels: at 30 degrees over the horizon some 60 m, as wide as lobes of clouds are.
