@@ -51,7 +51,7 @@ fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
 // Elevation of the ground in a lake with a level or beside it. Rivers share that where they run into it.
 fn beside_lake(ground: Ground, point: MapPoint) -> Metres {
     let lake = lake_at(point);
-    return with_lake(ground.elevation, ground.lake_shore, vec2f(lake.x, select(lake.y, min(lake.y, RIVER_MARGIN), ground.by_river)));
+    return with_lake(ground.elevation, ground.lake_shore, vec2f(lake.x, margin_for(lake.y, ground.by_river)));
 }
 
 @vertex
