@@ -240,7 +240,9 @@ impl Renderer {
             } else {
                 Near::Nothing
             };
-            self.land.set_tiles(&self.gpu, near, tiles.iter().rev().map(|tile| (*tile, beach(tile.id))));
+            let inland = |id| near == Near::Lakes && self.streaming.has_inland(id);
+            let tiles = tiles.iter().rev().map(|tile| (*tile, [beach(tile.id), inland(tile.id)]));
+            self.land.set_tiles(&self.gpu, near, tiles);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

@@ -65,8 +65,8 @@ pub struct Land {
     instances: wgpu::Buffer,
     /// What may show in the next draw.
     near: Near,
-    /// And its tiles, as the pipelines; the last come first.
-    counts: [u32; 4],
+    /// And its tiles, as the pipelines; those with water inland, then the others; the last come first.
+    counts: [u32; 8],
 }
 
 /// Grid vertices from one cell outside to one cell outside (the skirt), and their triangles.
@@ -109,16 +109,16 @@ impl Land {
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer("land tiles", usage, (MOST_TILES * size_of::<Instance>()) as u64),
             near: Near::Growth,
-            counts: [0; 4],
+            counts: [0; 8],
         }
     }
 
-    /// Sets what may show in the next draw, and its tiles, each with whether it may have beaches that waves run up; what comes first should be
+    /// Sets what may show in the next draw, and its tiles, each with whether it may have beaches that waves run up, and lakes or rivers; what comes first should be
     /// near: it spares the shading of what it hides.
-    pub fn set_tiles(&mut self, gpu: &Gpu, near: Near, tiles: impl Iterator<Item = (DrawnTile, bool)>) {
-        let mut grounds: [Vec<TileId>; 4] = Default::default();
-        for (DrawnTile { id, is_rugged }, beach) in tiles.take(MOST_TILES) {
-            grounds[usize::from(is_rugged) + 2 * usize::from(beach)].push(id);
+    pub fn set_tiles(&mut self, gpu: &Gpu, near: Near, tiles: impl Iterator<Item = (DrawnTile, [bool; 2])>) {
+        let mut grounds: [Vec<TileId>; 8] = Default::default();
+        for (DrawnTile { id, is_rugged }, [beach, inland]) in tiles.take(MOST_TILES) {
+            grounds[usize::from(is_rugged) + 2 * usize::from(beach) + 4 * usize::from(!inland)].push(id);
         }
         let instance =
             |id: &TileId| Instance { square: id.projection as u32, level: u32::from(id.z), x: id.x, y: id.y };
@@ -134,11 +134,15 @@ impl Land {
         [tiles, tiles * (self.index_count / 3)]
     }
 
-    /// Its draws, four at most, of a kind and with imagery or without.
+    /// Its draws, eight at most, of a kind and with imagery or without.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
         let mut drawn = 0;
         let near = if self.near.is_of(kind.0) { self.near } else { Near::Growth };
-        for (pipelines, count) in self.pipelines[near as usize].iter().zip(self.counts).rev() {
+        // Waves of lakes cost as much as all else where none is, too.
+        let dry = if near == Near::Lakes { Near::Growth } else { near };
+        let pipelines = [near, dry].map(|near| &self.pipelines[near as usize]).into_iter().flatten();
+        let draws: Vec<_> = pipelines.zip(self.counts).collect();
+        for (pipelines, count) in draws.into_iter().rev() {
             let tiles = drawn..drawn + count;
             drawn += count;
             if tiles.is_empty() || !pipelines.set(pass, kind, groups) {
