@@ -43,9 +43,11 @@ const MOST_KEPT: usize = 1 << 16;
 /// Levels of tiles from which on there are rivers of a kind, and those within 10 texels around.
 const RIVER_LEVELS: [u8; 2] = [5, 7];
 /// Cells that a river passes count as far as this from a place, texels of such a tile: a cell that is in the buffer by its corner alone does not.
-const RIVER_REACHES_TEXELS: f64 = 6.0;
+const RIVER_REACHES_TEXELS: [f64; 2] = [8.5, 9.0];
 /// A river is about so much over the lowest of its cells, m: the rounding of the terrain.
 const RIVER_OVER_M: f64 = 12.0;
+/// Cells at the end of that reach count as so much higher, m, nearer ones by the fourth power of the way: a low one that comes in is no cliff.
+const RIVER_RISES_M: f64 = 150.0;
 /// By the ocean nothing lies lower, m: cells there are half sea. Nor so far from it, m, but in depressions.
 const LEAST_BY_SEA_M: f64 = 1.0;
 /// See [`LEAST_BY_SEA_M`].
@@ -144,7 +146,7 @@ impl World {
                 Ok(Some(match standing {
                     Standing::Unknown => None,
                     Standing::Lake(level_m) => Some(Stands::lake(level_m)),
-                    Standing::River(cells) => falling_m(&cells, at, RIVER_LEVELS[0]).map(Stands::river),
+                    Standing::River(cells) => falling_m(&cells, at, Stream::River).map(Stands::river),
                 }))
             }
             _ => Ok(Some(of_table)),
@@ -240,7 +242,7 @@ impl World {
                 cells
             }
         };
-        Ok(Some(falling_m(&cells, at, id.z)))
+        Ok(Some(falling_m(&cells, at, stream)))
     }
 
     /// Lines of one tile: `Some(None)` where it does not exist or holds a picture.
@@ -342,14 +344,15 @@ impl World {
     }
 }
 
-/// The level at a place of a river that passes cells, m, of which those within reach by texels of a level of tiles count.
-fn falling_m(cells: &[Cell], at: (f64, f64), z: u8) -> Option<f64> {
-    let reach = RIVER_REACHES_TEXELS / texels_across(z);
+/// The level at a place of a river that passes cells, m, of which those within the reach of its kind count.
+fn falling_m(cells: &[Cell], at: (f64, f64), stream: Stream) -> Option<f64> {
+    let reach = RIVER_REACHES_TEXELS[stream.index()] / texels_across(RIVER_LEVELS[stream.index()]);
     let near = || {
         cells.iter().filter_map(|Cell { middle, metres, .. }| {
             let off = [middle[0] - at.0, middle[1] - at.1].map(|way| way / reach);
             let share = 1.0 - off[0] * off[0] - off[1] * off[1];
-            (share > 0.0).then_some((share * share, *metres))
+            let far = off[0] * off[0] + off[1] * off[1];
+            (share > 0.0).then_some((share * share, metres + RIVER_RISES_M * far * far))
         })
     };
     let lowest = near().map(|(_, metres)| metres).fold(f64::INFINITY, f64::min);
