@@ -4,7 +4,7 @@
 #import water
 
 const LAKE_KIND = 2.5;             // of the water of lakes
-const RIVER_KIND = 5.4;            // of rivers, which carry silt; ours
+const RIVER_KIND = 6.0;            // of rivers, which carry silt; ours
 // What the wind raises over a few hundred metres: ripples, and a little of waves of 30 m.
 const RIVER_SEA = LocalSea(vec4f(0.0, 0.0, 0.1, 1.0), 0.03);
 

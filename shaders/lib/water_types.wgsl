@@ -13,7 +13,7 @@ fn deep_reflectance(kind: f32) -> vec3f {
     return mix(mix(green, vec3f(0.049, 0.083, 0.036), saturate(kind - 4.0)), SILTY_REFLECTANCE, saturate(kind - 5.0));
 }
 
-const SILTY_REFLECTANCE = vec3f(0.105, 0.095, 0.045);
+const SILTY_REFLECTANCE = vec3f(0.062, 0.056, 0.026);
 const OPEN_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
 
 // How fast daylight fades with depth, per metre: Jerlov's types I, IB, II, III and coastal 3 (R. Austin and T. Petzold 1984); of an estuary
