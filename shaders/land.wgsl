@@ -55,7 +55,7 @@ fn tile_point(tile: vec4u, in_tile: vec2f) -> MapPoint {
 // Elevation of the ground in a lake with a level or beside it. Rivers share that where they run into it.
 fn beside_lake(ground: Ground, point: MapPoint) -> Metres {
     let lake = lake_at(point);
-    return with_lake(ground.elevation, ground.lake_shore, vec2f(lake.x, select(lake.y, min(lake.y, RIVER_MARGIN), ground.by_river)));
+    return with_lake(ground.elevation, ground.lake_shore, vec2f(lake.x, margin_for(lake.y, ground.by_river)));
 }
 
 @vertex
@@ -137,6 +137,7 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
     let height = min(sea.height, 1.0);
     let share = height * share_from_afar(0.0, 1.0, footprint);
     var normal = up;
+    var along = vec2f(0.0);
     var rough = local_slopes(sea);
     var foam = mean_foam(share, mean_dense_from(share, FINE), height, FINE);
     if LAKES {
@@ -145,9 +146,22 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
         let seen = slopes_in(sea, rest, 0.0, footprint, 1.0);
         normal = normalize(up - vec3f(seen.slope, 0.0));
         rough = seen.rough;
+        if at.ground.by_river {
+            along = east_north_of(at.point, -across_course(at.point).yx);
+            normal = normalize(up - vec3f(river_ripples(at.point, at.sin_lat, along, footprint), 0.0));
+            rough = local_slopes(sea);
+        }
         foam = foam_of(share, usually_dense_from(share), height, lace_at(foam_coordinates(rest), footprint, 1, false), FINE);
     }
-    return inland_water(direction * at.distance, at.ground, direction, up, normal, rough, foam);
+    var ground = at.ground;
+    // Wide rivers are lakes' polygons.
+    if FINE { ground.by_river |= lake_at(at.point).y > OWN_RIVER; }
+    var water = inland_water(direction * at.distance, ground, direction, up, normal, rough, foam);
+    if LAKES && at.ground.by_river {
+        let east = east_at(up);
+        water.along = normalize(along.x * east + along.y * cross(up, east) + vec3f(1e-6, 0.0, 0.0));
+    }
+    return water;
 }
 
 @fragment

@@ -240,7 +240,9 @@ impl Renderer {
             } else {
                 Near::Nothing
             };
-            self.land.set_tiles(&self.gpu, near, tiles.iter().rev().copied(), beach);
+            // Waves of lakes cost as much as all else where none is, too.
+            let near_of = |id| if near == Near::Lakes && !self.streaming.has_inland(id) { Near::Growth } else { near };
+            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied(), near_of, beach);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

@@ -90,7 +90,7 @@ fn local_slopes(sea: LocalSea) -> vec2f {
     return frame.below_slopes + gained_slopes(sea, 0u) + gained_slopes(sea, 1u) + gained_slopes(sea, 2u) + gained_slopes(sea, 3u);
 }
 
-// Level and margin of the lake around a place; NO_LEVEL where none of the table is.
+// Level and margin of the lake or river around a place; NO_LEVEL where none is known.
 fn lake_at(point: MapPoint) -> vec2f {
     var level = 0u;
     var found = vec3f(0.0);
@@ -101,6 +101,11 @@ fn lake_at(point: MapPoint) -> vec2f {
         if level == SHELTER_LEVELS || found.z > 0.0 { break; }
     }
     return select(vec2f(NO_LEVEL, 0.0), found.xy / max(found.z, 1e-9), (found.z > 0.0) & (point.square == MERCATOR));
+}
+
+// Of ground that is so much higher by the data other water is taken for this: as `margin_for` of src/model/lakes.rs.
+fn margin_for(margin: Metres, by_river: bool) -> Metres {
+    return select(margin, min(margin, RIVER_MARGIN), by_river & (margin < OWN_RIVER));
 }
 
 // An elevation at a distance from a lake's shore (positive in it), in the lake or beside it: as `shaped` of src/model/lakes.rs.

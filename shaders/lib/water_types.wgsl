@@ -1,18 +1,19 @@
-// Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid; what
+// Kinds of sea water, in a row from the clearest to the most turbid: 0 gyre, 1 open ocean, 2 temperate, 3 shelf, 4 coastal, 5 turbid, 6 a river's with silt; what
 // lies between is mixed. Who imports this declares FINE (src/pass/kind.rs): whether blooms and coasts show.
 #import world
 #import noise
 
 // The light that deep water sends back over what falls on it, as seen from above straight down: pi times the remote-sensing reflectance
-// with 0.03, 0.1, 0.5, 2 and 3 mg of chlorophyll per cubic metre, the last with dissolved matter besides, and of a muddy estuary
-// (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as linear sRGB). It holds the
+// with 0.03, 0.1, 0.5, 2 and 3 mg of chlorophyll per cubic metre, the last with dissolved matter besides, and of a muddy estuary,
+// and of a river in which silt outshines all else, which is ours (H. Gordon et al. 1988, over R. Pope and E. Fry's 1997 water and A. Bricaud et al.'s 1998 particles, as linear sRGB). It holds the
 // surface's transmission both ways.
 fn deep_reflectance(kind: f32) -> vec3f {
     let clear = mix(mix(vec3f(0.0, 0.0028, 0.0322), OPEN_REFLECTANCE, saturate(kind)), vec3f(0.0, 0.0078, 0.0194), saturate(kind - 1.0));
     let green = mix(mix(clear, vec3f(0.0003, 0.0119, 0.0149), saturate(kind - 2.0)), vec3f(0.006, 0.024, 0.015), saturate(kind - 3.0));
-    return mix(green, vec3f(0.049, 0.083, 0.036), saturate(kind - 4.0));
+    return mix(mix(green, vec3f(0.049, 0.083, 0.036), saturate(kind - 4.0)), SILTY_REFLECTANCE, saturate(kind - 5.0));
 }
 
+const SILTY_REFLECTANCE = vec3f(0.062, 0.056, 0.026);
 const OPEN_REFLECTANCE = vec3f(0.0, 0.0043, 0.0265);
 
 // How fast daylight fades with depth, per metre: Jerlov's types I, IB, II, III and coastal 3 (R. Austin and T. Petzold 1984); of an estuary

@@ -10,6 +10,7 @@
 mod bends;
 mod curve;
 pub mod field;
+pub mod inland;
 mod read;
 mod river;
 mod sweep;

@@ -8,9 +8,10 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-use super::tile::{EQUATOR_M, Projection, TILE_TEXELS, TileId, texels_across};
+use super::tile::{EQUATOR_M, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texels_across};
 use super::water::{STEPS_PER_TEXEL, unpacked};
 use super::{SharedTexels, TileTexels};
+use crate::model::lakes::{self, Stands};
 use crate::model::sheltered_sea::{Exposure, FARTHEST_M, bearing};
 
 /// What is known of a tile.
@@ -44,6 +45,25 @@ pub enum Water {
     Lake = 1,
 }
 
+/// What is asked of a world: its water tiles, and where inland waters stand.
+pub trait Waters {
+    /// A tile.
+    fn tile(&mut self, id: TileId) -> Found;
+
+    /// Where the inland water nearest to a place of Mercator's unit map stands, by tiles of level `z`; `Some(None)` where that is not known, `None`
+    /// while tiles are on their way. The table's lakes, unless more is known.
+    fn stands(&mut self, _z: u8, (x, y): (f64, f64)) -> Option<Option<Stands>> {
+        let (lat, lon) = lat_lon_from_map(Projection::Mercator, x, y);
+        Some(lakes::at(lat, lon).map(Stands::of))
+    }
+}
+
+impl<F: FnMut(TileId) -> Found> Waters for F {
+    fn tile(&mut self, id: TileId) -> Found {
+        self(id)
+    }
+}
+
 /// Distances to the shores, looked up in tiles that `look` finds, each once. The most of them are kept for later looks.
 #[derive(Debug, Default)]
 pub struct ShoreTiles {
@@ -57,7 +77,7 @@ impl ShoreTiles {
     }
 
     /// For looks that ask `look` for tiles that are not there yet.
-    pub fn looking<'a>(&'a mut self, look: &'a mut dyn FnMut(TileId) -> Found) -> ShoreDistances<'a> {
+    pub fn looking<'a>(&'a mut self, look: &'a mut dyn Waters) -> ShoreDistances<'a> {
         ShoreDistances { tiles: &mut self.tiles, look, recent: None }
     }
 }
@@ -65,7 +85,7 @@ impl ShoreTiles {
 /// See [`ShoreTiles::looking`].
 pub struct ShoreDistances<'a> {
     tiles: &'a mut HashMap<TileId, Option<SharedTexels>>,
-    look: &'a mut dyn FnMut(TileId) -> Found,
+    look: &'a mut dyn Waters,
     recent: Option<(TileId, Option<SharedTexels>)>,
 }
 
@@ -117,6 +137,11 @@ impl ShoreDistances<'_> {
         Some(sum)
     }
 
+    /// See [`Waters::stands`].
+    pub fn stands(&mut self, z: u8, at: (f64, f64)) -> Option<Option<Stands>> {
+        self.look.stands(z, at)
+    }
+
     fn texel(&mut self, z: u8, column: i64, row: i64) -> Option<[f64; 2]> {
         let side = (TILE_TEXELS as i64) << z;
         let (column, row) = (column.rem_euclid(side), row.clamp(0, side - 1));
@@ -148,7 +173,7 @@ impl ShoreDistances<'_> {
         if let Some(known) = self.tiles.get(&id) {
             return Some(known.clone());
         }
-        let found = match (self.look)(id) {
+        let found = match self.look.tile(id) {
             Found::Tile(texels) => Some(texels),
             Found::Absent => None,
             Found::Coming => return None,

@@ -10,7 +10,7 @@ use super::water::{BY_RIVER, MOST_STEPS, ON_ISLAND, SATURATION_TEXELS, STEPS_PER
 use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
-use crate::model::lakes::{self, Lake, RIVER_MARGIN_M};
+use crate::model::lakes::{self, Stands};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
@@ -37,8 +37,11 @@ pub struct Sample {
     pub beach: f64,
     /// Distance to the nearest shore of a lake or a river, metres, positive in it; as above.
     pub lake_distance_m: Option<f64>,
-    /// The lake that covers the ground, where it is one of the table (`model::lakes`): its surface is then the elevation.
+    /// The lake that covers the ground, where it is one of the table (`model::lakes`).
     pub lake: Option<&'static str>,
+    /// The level of the lake or river that covers the ground, metres, where it is known: by the table, or by the terrain along its shore or
+    /// course. The elevation is that, too.
+    pub inland_level_m: Option<f64>,
     /// The level of the terrain tile.
     pub terrain_level: u8,
     /// The level of the water tile; `None`: no tile, the class comes from the sign of the elevation.
@@ -66,15 +69,15 @@ pub struct Terrain {
 /// A way to get at a tile; `None`: the parent serves.
 pub type LookUp<'a> = dyn FnMut(Layer, TileId) -> Result<Option<SharedTexels>> + 'a;
 
-/// What is at geodetic `lat`, `lon` (radians); `None` without any terrain tile.
+/// What is at geodetic `lat`, `lon` (radians), where the nearest inland water stands somewhere; `None` without any terrain tile.
 ///
 /// # Errors
 /// Those of `look_up`.
 pub fn sample(
-    lat: f64,
-    lon: f64,
+    (lat, lon): (f64, f64),
     terrain: Terrain,
     deepest_water: Option<u8>,
+    stands: Option<Stands>,
     look_up: &mut LookUp<'_>,
 ) -> Result<Option<Sample>> {
     let projection = Projection::for_latitude(lat);
@@ -98,6 +101,7 @@ pub fn sample(
             beach: terrain.beach_slope,
             lake_distance_m: None,
             lake: None,
+            inland_level_m: None,
             terrain_level,
             water_level: None,
         }));
@@ -115,12 +119,9 @@ pub fn sample(
     };
     let Some(grid) = map.grid(point, grid_level(terrain.resolution_m), terrain_level)? else { return Ok(None) };
     let measured_m = shaped_on(raw_m, grid, ocean_m, [terrain.resolution_m, terrain.beach_slope], libm::sin(lat));
-    let lake = lakes::at(lat, lon).filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
-    let shaped = |lake: &Lake| {
-        let margin_m = if by_river { lake.margin_m.min(RIVER_MARGIN_M) } else { lake.margin_m };
-        lakes::shaped(measured_m, lake_m, lake.level_m, margin_m)
-    };
-    let elevation_measured_m = lake.map_or(measured_m, shaped);
+    let stands = stands.filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
+    let shaped = |stands: Stands| lakes::shaped(measured_m, lake_m, stands.level_m, stands.margin_for(by_river));
+    let elevation_measured_m = stands.map_or(measured_m, shaped);
     let is_dry = matches!(class, WaterClass::Land | WaterClass::Island);
     let relief_made_m = if is_dry && rugged::is_coarse(terrain.resolution_m) {
         let shores = Shores { ocean_m, lake_m };
@@ -129,6 +130,8 @@ pub fn sample(
         0.0
     };
     let elevation_m = elevation_measured_m + relief_made_m;
+    let is_inland = matches!(class, WaterClass::Lake | WaterClass::River);
+    let at_level = stands.filter(|water| is_inland && elevation_m == water.level_m);
     Ok(Some(Sample {
         elevation_m,
         elevation_measured_m,
@@ -138,7 +141,8 @@ pub fn sample(
         shore_distance_m: map.known(ocean_m, lat),
         beach: Coast::new(grid, terrain.resolution_m, libm::sin(lat)).beach(terrain.beach_slope),
         lake_distance_m: map.known(lake_m, lat),
-        lake: lake.filter(|lake| class == WaterClass::Lake && elevation_m == lake.level_m).map(|lake| lake.name),
+        lake: at_level.and_then(|lake| lake.name),
+        inland_level_m: at_level.map(|water| water.level_m),
         terrain_level,
         water_level: Some(water_level),
     }))

@@ -10,12 +10,14 @@ mod answer;
 #[cfg(not(target_arch = "wasm32"))]
 mod blocking;
 mod cache;
+mod levels;
 mod shore_bed;
 mod shores;
 mod slot;
 mod span;
 mod strict;
 
+use super::coast::inland::Inland;
 use super::exposure::Found;
 use super::fetch::{Source, Spawner, join, now_s};
 use super::pmtiles::Archive;
@@ -28,6 +30,8 @@ use crate::error::{Error, Result};
 use crate::model::sea_bed::USUAL_SLOPE;
 use answer::{deepest, stored};
 use cache::Cache;
+use levels::Levels;
+pub use levels::{LINES_LEVEL, WorldWaters};
 pub use shore_bed::{SHORE_LEVEL, SHORE_SIDE};
 use shores::Unfinished;
 use slot::{Opening, Slot};
@@ -84,7 +88,7 @@ enum Decoded {
     /// All there is to know.
     Whole(TileTexels),
     /// What is near the shores: the rest is its parent's.
-    Near(OwnShores),
+    Near(OwnShores, Option<Arc<Inland>>),
 }
 
 /// Deepest level of the water tiles that are made of an archive's polygons: texels of 19 m at the equator, half as wide as the polygons
@@ -121,6 +125,7 @@ pub struct World {
     /// Requests answered since nothing was pending.
     done: usize,
     cache: Cache,
+    levels: Levels,
     sender: mpsc::Sender<Event>,
     receiver: mpsc::Receiver<Event>,
     spawner: Spawner,
@@ -165,6 +170,7 @@ impl World {
             asked: 0,
             done: 0,
             cache: Cache::new(TILES_KEPT),
+            levels: Levels::default(),
             sender,
             receiver,
             spawner: Spawner::default(),
@@ -305,8 +311,9 @@ impl World {
     pub fn sample_resident(&mut self, lat: f64, lon: f64) -> Option<Sample> {
         let terrain = self.terrain_at(lat)?;
         let deepest_water = self.max_zoom(Layer::Water, Projection::for_latitude(lat));
+        let stands = self.stands_at(lat, lon, Self::look_or_parent).ok().flatten().flatten();
         let cache = &mut self.cache;
-        sample(lat, lon, terrain, deepest_water, &mut |layer, id| Ok(cache.get(&(layer, id)))).ok().flatten()
+        sample((lat, lon), terrain, deepest_water, stands, &mut |layer, id| Ok(cache.get(&(layer, id)))).ok().flatten()
     }
 
     fn terrain_at(&self, lat: f64) -> Option<Terrain> {
@@ -362,9 +369,9 @@ impl World {
         }
     }
 
-    fn is_here(&mut self, key: Key, texels: TileTexels) {
+    fn is_here(&mut self, key: Key, texels: TileTexels, inland: Option<Arc<Inland>>) {
         let texels = Arc::new(texels);
-        self.cache.put(key, texels.clone());
+        self.cache.put(key, texels.clone(), inland);
         self.answer(key, Outcome::Tile(texels));
     }
 
@@ -423,8 +430,8 @@ impl World {
 
     fn arrived(&mut self, key: Key, result: Result<Option<Decoded>>) {
         match result {
-            Ok(Some(Decoded::Whole(texels))) => self.is_here(key, texels),
-            Ok(Some(Decoded::Near(shores))) => self.unfinished.add(key.1, shores),
+            Ok(Some(Decoded::Whole(texels))) => self.is_here(key, texels, None),
+            Ok(Some(Decoded::Near(shores, inland))) => self.unfinished.add(key.1, shores, inland),
             Ok(None) => self.answer(key, Outcome::Absent),
             Err(error) => {
                 // Perhaps its bytes: they are asked for anew.

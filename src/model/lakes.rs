@@ -40,6 +40,47 @@ pub const OF_MARGIN: f64 = 0.7;
 /// How steeply beds of lakes fall from their shores, as far as waves feel them: no data tell their depths; ours.
 pub const BED_SLOPE: f64 = 0.05;
 
+/// Where an inland water lies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stands {
+    /// Level of its surface there, m over the sea's.
+    pub level_m: f64,
+    /// See [`Lake::margin_m`]; of a river more than [`OWN_RIVER_M`].
+    pub margin_m: f64,
+    /// Mean depth, m, where it is known.
+    pub depth_m: Option<f64>,
+    /// The name of a lake of the table.
+    pub name: Option<&'static str>,
+    /// Whether it is a river.
+    pub is_river: bool,
+}
+
+/// From this margin on a level is a river's own, m.
+pub const OWN_RIVER_M: f64 = 5_500.0;
+
+impl Stands {
+    /// A lake of the table.
+    pub fn of(lake: &Lake) -> Self {
+        let Lake { level_m, margin_m, depth_m, name, .. } = *lake;
+        Self { level_m, margin_m, depth_m: Some(depth_m), name: Some(name), is_river: false }
+    }
+
+    /// Another one, which is told from all others by its shore.
+    pub fn lake(level_m: f64) -> Self {
+        Self { level_m, margin_m: TIGHT_M, depth_m: None, name: None, is_river: false }
+    }
+
+    /// A river.
+    pub fn river(level_m: f64) -> Self {
+        Self { margin_m: 2.0 * TIGHT_M, is_river: true, ..Self::lake(level_m) }
+    }
+
+    /// Of ground that is so much higher by the data other water is taken for this, m; as `margin_for` of `shaders/lib/shelter.wgsl`.
+    pub fn margin_for(&self, by_river: bool) -> f64 {
+        if by_river && self.margin_m < OWN_RIVER_M { self.margin_m.min(RIVER_MARGIN_M) } else { self.margin_m }
+    }
+}
+
 macro_rules! lakes {
     ($($name:literal $level:literal $depth:literal $margin:ident $($box:expr),+;)+) => {
         /// The table. Levels of lakes that people or the years move are round numbers of the last decades

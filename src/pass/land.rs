@@ -41,7 +41,7 @@ impl Instance {
 /// `shaders/lib/plants.wgsl`, at the equator.
 pub const GROWTH_M: f64 = 26.0;
 
-/// What of the ground of a whole picture may show.
+/// What of the ground of a tile may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Near {
     /// No more than what is as wide as pixels of [`GROWTH_M`].
@@ -95,17 +95,15 @@ pub struct Land {
     indices: wgpu::Buffer,
     blocks: Blocks,
     instances: wgpu::Buffer,
-    /// What may show in the next draw.
-    near: Near,
-    /// And its draws.
+    /// Of the next picture.
     draws: Vec<Draw>,
     tiles: u32,
     triangles: u32,
 }
 
-/// Of so many tiles, one after the other in the buffer, what of their grids, by the pipelines of a beach and of ground with relief or without.
+/// Of so many tiles, one after the other in the buffer, what of their grids, by the pipelines of what may show on them, of a beach, and of ground with relief or without.
 struct Draw {
-    by: (Beach, bool),
+    by: (Near, Beach, bool),
     indices: Range<u32>,
     instances: Range<u32>,
 }
@@ -179,20 +177,19 @@ impl Land {
                 ((MOST_TILES + MOST_BLOCKS) * size_of::<Instance>()) as u64,
             ),
             blocks,
-            near: Near::Growth,
             draws: Vec::new(),
             tiles: 0,
             triangles: 0,
         }
     }
 
-    /// Sets what may show in the next draw, and its tiles; what comes first should be near: it spares the shading of what it hides. `has_beach`: whether
-    /// a tile, or one of their descendants, may have beaches that waves run up.
+    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides. `near` and `has_beach`: what may show on a tile, and whether
+    /// it, or one of its descendants, may have beaches that waves run up.
     pub fn set_tiles(
         &mut self,
         gpu: &Gpu,
-        near: Near,
         tiles: impl Iterator<Item = DrawnTile>,
+        near: impl Fn(TileId) -> Near,
         has_beach: impl Fn(TileId) -> bool,
     ) {
         let whole = 0..self.blocks[self.blocks.len() - 1].end;
@@ -202,33 +199,33 @@ impl Land {
             let found = blocks_with(id, &has_beach);
             let beaches = if found.count_ones() as usize > room { 0 } else { found };
             room -= beaches.count_ones() as usize;
-            drawn.push((is_rugged, Instance::new(id, beaches)));
+            drawn.push((near(id), is_rugged, Instance::new(id, beaches)));
         }
         self.draws.clear();
         self.tiles = drawn.len() as u32;
         self.triangles = self.tiles * whole.len() as u32 / 3;
         let mut instances = Vec::new();
-        let mut draw = |by: (Beach, bool), indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
+        let mut draw = |by: (Near, Beach, bool), indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
             let first = instances.len() as u32;
-            let here = drawn.iter().filter(|(rugged, tile)| *rugged == by.1 && of(tile.beaches));
-            instances.extend(here.map(|(_, tile)| *tile));
+            let here = drawn.iter().filter(|(near, rugged, tile)| (*near, *rugged) == (by.0, by.2) && of(tile.beaches));
+            instances.extend(here.map(|(.., tile)| *tile));
             let range = first..instances.len() as u32;
             if !range.is_empty() {
                 self.draws.push(Draw { by, indices: indices.clone(), instances: range });
             }
         };
         // Ground with relief, which is near, comes first, and beaches last: what has been drawn beside them hides the rest of their blocks.
-        for rugged in [true, false] {
-            draw((Beach::Beside, rugged), &whole, &|beaches| beaches != 0);
-            draw((Beach::Absent, rugged), &whole, &|beaches| beaches == 0);
+        let grounds = [true, false].into_iter().flat_map(|rugged| Near::ALL.map(|near| (near, rugged)));
+        for (near, rugged) in grounds.clone() {
+            draw((near, Beach::Beside, rugged), &whole, &|beaches| beaches != 0);
+            draw((near, Beach::Absent, rugged), &whole, &|beaches| beaches == 0);
         }
-        for rugged in [true, false] {
+        for (near, rugged) in grounds {
             for (block, indices) in self.blocks.iter().enumerate() {
-                draw((Beach::Only, rugged), indices, &|beaches| beaches >> block & 1 != 0);
+                draw((near, Beach::Only, rugged), indices, &|beaches| beaches >> block & 1 != 0);
             }
         }
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.near = near;
     }
 
     /// Tiles and triangles of the next draw.
@@ -238,15 +235,15 @@ impl Land {
 
     /// Its draws, of a kind and with imagery or without.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
-        let near = if self.near.is_of(kind.0) { self.near } else { Near::Growth };
-        let pipelines = &self.pipelines[near as usize];
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         let mut by = None;
         for draw in &self.draws {
-            let (beach, rugged) = draw.by;
-            if by != Some(draw.by) && !pipelines[beach as usize][usize::from(rugged)].set(pass, kind, groups) {
+            let (near, beach, rugged) = draw.by;
+            let near = if near.is_of(kind.0) { near } else { Near::Growth };
+            let pipelines = &self.pipelines[near as usize][beach as usize];
+            if by != Some(draw.by) && !pipelines[usize::from(rugged)].set(pass, kind, groups) {
                 continue;
             }
             by = Some(draw.by);

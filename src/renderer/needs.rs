@@ -5,6 +5,8 @@ use super::{Radiance, Renderer};
 use crate::data::exposure::Water;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
+use crate::data::water::WaterClass;
+use crate::data::world::{World, WorldWaters};
 use crate::model::optics::opaque_depth_m;
 use crate::model::waves;
 use crate::scene::frame::Frame;
@@ -43,9 +45,9 @@ impl Renderer {
     /// Finds where land stands in the way of a frame's sea; true when that is known.
     fn shelter(&mut self, frame: &Frame, budget_s: f64) -> bool {
         let (camera, world) = (&frame.camera, &mut self.world);
-        let mut look = |id| world.look(Layer::Water, id);
+        let mut waters = WorldWaters::new(world, World::look_or_parent);
         let eye = (camera.lat, camera.lon, camera.altitude_m);
-        self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut look)
+        self.seas.shelter.advance((&frame.sea, frame.wind_from), eye, budget_s, &mut waters)
     }
 
     /// How the sea of a frame hides its bed: not where the sea is not drawn, nor from an eye in it.
@@ -85,7 +87,7 @@ impl Renderer {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {
-            if place.lake.is_none() || !state.settings.quality.is_fine() {
+            if place.class != WaterClass::Lake || place.inland_level_m.is_none() || !state.settings.quality.is_fine() {
                 return above_ground(&asked, place.elevation_m);
             }
             // Over the crests of a lake whose surface is drawn.

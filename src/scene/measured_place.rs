@@ -3,11 +3,10 @@
 
 use serde_json::{Value, json};
 
-use crate::data::exposure::{Found, Water};
+use crate::data::exposure::Water;
 use crate::data::geoid;
-use crate::data::tile::Layer;
 use crate::data::water::WaterClass;
-use crate::data::world::{Look, World};
+use crate::data::world::{Look, World, WorldWaters};
 use crate::error::{Error, Result};
 use crate::model::earth::WGS84;
 use crate::model::lakes;
@@ -132,7 +131,7 @@ impl MeasuredPlaces {
             object["lake_hs_m"] = (tables.height_gain(gains) * tables.sea.hs_m).into();
             object["lake_tp_s"] = peak_s.into();
             // Where the level is known the surface is drawn.
-            if sample.lake.is_some() && state.settings.quality.is_fine() {
+            if sample.inland_level_m.is_some() && state.settings.quality.is_fine() {
                 let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
                 let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
                 let found = SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves };
@@ -171,17 +170,11 @@ impl MeasuredPlaces {
         look: Look,
     ) -> Result<Option<([f64; waves::CASCADES], f64)>> {
         let tables = self.seas.tables(&state.settings);
-        let mut failed = None;
-        let mut found = |id| {
-            look(world, Layer::Water, id).unwrap_or_else(|error| {
-                failed.get_or_insert(error);
-                Found::Absent
-            })
-        };
+        let mut found = WorldWaters::new(world, look);
         let (sea, shelter) = ((&tables, state.settings.wind_from()), &mut self.seas.shelter);
         let gains = shelter.at(sea, place, &mut found).map(of_patches);
         let waves = gains.and_then(|gains| Some((gains, shelter.peak_period_at(sea, place, &mut found)?)));
         // A lee that a damaged tile hides must not be told as open sea.
-        failed.map_or(Ok(waves), Err)
+        found.failed.map_or(Ok(waves), Err)
     }
 }

@@ -90,10 +90,10 @@ fn the_order_in_which_tiles_come_changes_nothing() {
     let tables = Arc::new(SeaTables::new(Sea::from_wind(12.0, 1, 1.0), 128));
     let wind_from = 1.2;
     let eye = (-0.001f64, (ISLAND.0 - 0.5) * std::f64::consts::TAU - 0.005, 50.0);
-    let settled = |look: &mut dyn FnMut(TileId) -> Found| {
+    let settled = |mut look: &mut dyn FnMut(TileId) -> Found| {
         let mut shelter = Shelter::default();
         for _ in 0..20_000 {
-            if shelter.advance((&tables, wind_from), eye, 0.001, look) {
+            if shelter.advance((&tables, wind_from), eye, 0.001, &mut look) {
                 return shelter.packed();
             }
         }

@@ -10,6 +10,7 @@ mod geoid;
 mod hostile_coast;
 mod hostile_data;
 mod imagery;
+mod lakes;
 mod map_tiles;
 mod own_files;
 mod own_world;

@@ -11,7 +11,7 @@ use crate::data::coast::{self, field::field};
 use crate::data::fetch::Source;
 use crate::data::pmtiles::Archive;
 use crate::data::tile::{Layer, MapPoint, Projection};
-use crate::data::world::{DEEPEST_SHORES, World, archive_name};
+use crate::data::world::{DEEPEST_SHORES, World, WorldWaters, archive_name};
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::renderer::{Cost, Radiance, Renderer};
@@ -133,8 +133,12 @@ fn nodes_ms(world: &mut World, frame: &Frame) -> f64 {
     let eye = (frame.camera.lat, frame.camera.lon, frame.camera.altitude_m);
     loop {
         let start = Instant::now();
-        let complete =
-            shelter.advance((&frame.sea, frame.wind_from), eye, f64::INFINITY, &mut |id| world.look(Layer::Water, id));
+        let complete = shelter.advance(
+            (&frame.sea, frame.wind_from),
+            eye,
+            f64::INFINITY,
+            &mut WorldWaters::new(world, World::look_or_parent),
+        );
         spent += start.elapsed();
         if complete || world.failure().is_some() {
             return spent.as_secs_f64() * 1e3 / shelter.found().max(1) as f64;

@@ -139,6 +139,11 @@ impl Streaming {
     pub fn shore_m(&self, id: TileId, coarsest: u8) -> Option<Range> {
         self.layers[Layer::Water as usize].range(id, coarsest)
     }
+
+    /// Whether a pixel in a tile may show some of a lake or a river.
+    pub fn has_inland(&self, id: TileId) -> bool {
+        self.layers[Layer::Water as usize].has_inland(id)
+    }
 }
 
 /// A tile and its ancestors.

@@ -10,6 +10,9 @@ use crate::data::tile::{Layer, TILE_TEXELS, TileId, lat_lon_from_map, texel_size
 /// Wait before a tile that could not be had is asked for again, seconds.
 const RETRY_S: f64 = 31.0;
 
+/// A pixel so many texels off an inland water shows none of it that has waves.
+const SHOWN_TEXELS: f64 = 3.0;
+
 struct Resident {
     slot: u32,
     last_used: u64,
@@ -100,6 +103,15 @@ impl Residency {
         above.chain(self.at_and_below.get(&id).copied()).reduce(Range::union)
     }
 
+    /// Whether a pixel in `id` may show some of a lake or a river, as far as the tile tells that serves for it.
+    pub(super) fn has_inland(&self, id: TileId) -> bool {
+        let serving = super::lineage(id).find_map(|tile| Some((tile.z, self.resident.get(&tile)?)));
+        serving.is_none_or(|(z, resident)| {
+            let (first, last) = texels_in(id, z);
+            resident.range.inland(first, last) > -SHOWN_TEXELS
+        })
+    }
+
     /// Metres in `id` of a range of a tile of level `z`.
     fn metres(&self, id: TileId, z: u8, range: Range) -> Range {
         if self.layer == Layer::Terrain {
@@ -135,12 +147,17 @@ fn widen(sums: &mut HashMap<TileId, Range>, id: TileId, range: Range) {
 impl Resident {
     /// Of the texels of this tile of level `z` that lie in its descendant `id`, and one more on each side.
     fn range_in(&self, id: TileId, z: u8) -> Range {
-        let down = id.z - z;
-        let texel = |column: u32| ((i64::from(column) * TILE_TEXELS as i64) >> down) & (TILE_TEXELS as i64 - 1);
-        let last =
-            |column: u32| (((i64::from(column) + 1) * TILE_TEXELS as i64 - 1) >> down) & (TILE_TEXELS as i64 - 1);
-        self.range.between([texel(id.x) - 1, texel(id.y) - 1], [last(id.x) + 1, last(id.y) + 1])
+        let (first, last) = texels_in(id, z);
+        self.range.between(first, last)
     }
+}
+
+/// The first and the last of the texels of an ancestor of level `z` that lie in a tile, and one more on each side.
+fn texels_in(id: TileId, z: u8) -> ([i64; 2], [i64; 2]) {
+    let down = id.z - z;
+    let texel = |column: u32| ((i64::from(column) * TILE_TEXELS as i64) >> down) & (TILE_TEXELS as i64 - 1);
+    let last = |column: u32| (((i64::from(column) + 1) * TILE_TEXELS as i64 - 1) >> down) & (TILE_TEXELS as i64 - 1);
+    ([texel(id.x) - 1, texel(id.y) - 1], [last(id.x) + 1, last(id.y) + 1])
 }
 
 /// Of a texel of level `z` inside a tile: the shortest and the longest, metres on the ground.

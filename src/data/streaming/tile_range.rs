@@ -6,6 +6,8 @@ use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 
 /// Texels along a side of the smallest block.
 const BLOCK: usize = 2;
+/// Texels along a side of a block of inland waters.
+const INLAND_BLOCK: usize = 16;
 
 /// Least and greatest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +31,8 @@ pub struct TileRange {
     levels: Vec<Vec<[i16; 2]>>,
     /// Of a step: metres of elevation, or texels of distance.
     step: f64,
+    /// The greatest distance to an inland water's shore in blocks of [`INLAND_BLOCK`], steps; none of other tiles.
+    inland: Vec<i16>,
 }
 
 impl TileRange {
@@ -43,6 +47,7 @@ impl TileRange {
             // Nobody asks how bright a tile is.
             TileTexels::Imagery(_) => (blocks(|_| [0; 2]), 1.0),
         };
+        let inland = if let TileTexels::Water(texels) = texels { inland(texels) } else { Vec::new() };
         let mut levels = vec![finest];
         let mut side = TILE_TEXELS / BLOCK;
         while side > 1 {
@@ -57,7 +62,7 @@ impl TileRange {
             let coarser = (0..side * side).map(of).collect();
             levels.push(coarser);
         }
-        Self { levels, step }
+        Self { levels, step, inland }
     }
 
     /// Of all texels between two, these included, and of some beside them: blocks are not cut. Columns and rows beyond the tile's
@@ -78,10 +83,30 @@ impl TileRange {
         Range { least, greatest }
     }
 
+    /// The greatest distance to an inland water's shore, positive in it, as [`TileRange::between`]; minus infinity where none is told.
+    pub fn inland(&self, first: [i64; 2], last: [i64; 2]) -> f64 {
+        let blocks = |at: i64| at.clamp(0, TILE_TEXELS as i64 - 1) as usize / INLAND_BLOCK;
+        let ([left, top], [right, bottom]) = (first.map(blocks), last.map(blocks));
+        let side = TILE_TEXELS / INLAND_BLOCK;
+        let rows = self.inland.chunks_exact(side).skip(top).take(bottom + 1 - top);
+        let steps = rows.flat_map(|row| row.iter().skip(left).take(right + 1 - left)).max();
+        steps.map_or(f64::NEG_INFINITY, |steps| f64::from(*steps) * self.step)
+    }
+
     /// Of all texels.
     pub fn whole(&self) -> Range {
         self.between([0; 2], [TILE_TEXELS as i64 - 1; 2])
     }
+}
+
+fn inland(texels: &[[u8; 4]]) -> Vec<i16> {
+    let side = TILE_TEXELS / INLAND_BLOCK;
+    let mut greatest = vec![i16::MIN; side * side];
+    for (at, texel) in texels.iter().enumerate() {
+        let block = &mut greatest[at / TILE_TEXELS / INLAND_BLOCK * side + at % TILE_TEXELS / INLAND_BLOCK];
+        *block = (*block).max(unpacked(*texel).0[1] as i16);
+    }
+    greatest
 }
 
 fn widened(a: [i16; 2], b: [i16; 2]) -> [i16; 2] {
@@ -102,6 +127,7 @@ fn blocks(of: impl Fn(usize) -> [i16; 2]) -> Vec<[i16; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::data::water::packed;
 
     #[test]
     fn a_range_holds_every_texel_of_its_place() {
@@ -128,6 +154,12 @@ mod tests {
                 assert_eq!(range.between([column - 9, row - 9], [column, row]).greatest, 500.0, "{x}, {y}");
             }
         }
+        // A lake is found where it is, and nowhere else.
+        let lake = |at: usize| packed([-900, if at == 100 * TILE_TEXELS + 40 { 7 } else { -500 }], 0);
+        let range = TileRange::new(&TileTexels::Water((0..TILE_TEXELS * TILE_TEXELS).map(lake).collect()));
+        let steps = |first, last| range.inland(first, last) * STEPS_PER_TEXEL;
+        assert_eq!([steps([0; 2], [255; 2]), steps([39, 99], [41, 101]), steps([40, 100], [40, 100])], [7.0; 3]);
+        assert_eq!([steps([0; 2], [31, 255]), steps([48, 0], [300, 255]), steps([-9, 112], [255, 255])], [-500.0; 3]);
         // The whole tile's is tight: rounded to a metre.
         let (least, greatest) = all.iter().fold((f32::MAX, f32::MIN), |(a, b), x| (a.min(*x), b.max(*x)));
         assert_eq!(range.whole(), Range { least: least.floor().into(), greatest: greatest.ceil().into() });

@@ -1,11 +1,13 @@
 //! From an archive to a tile: which of its tiles tells of it, and what that one's bytes say.
 
 use super::{DEEPEST_SHORES, Decoded, Key};
+use crate::data::coast::inland::Inland;
 use crate::data::fetch::Source;
 use crate::data::pmtiles::Archive;
-use crate::data::tile::{Layer, TileId};
+use crate::data::tile::{Layer, Projection, TileId};
 use crate::data::{TileTexels, coast, imagery, terrarium, water};
 use crate::error::Result;
+use std::sync::Arc;
 
 /// Deepest level of the tiles that an archive gives.
 pub(super) fn deepest(archive: &Archive<Source>) -> u8 {
@@ -35,9 +37,12 @@ pub(super) fn decoded(archive: &Archive<Source>, (layer, id): Key, bytes: &[u8])
         }
         Layer::Water if archive.header().tile_type == coast::TILE_TYPE => {
             let shores = coast::Shores::decode(&what, bytes)?;
-            return Ok(coast::field::field(id, stored(archive, id).z, &shores).map(Decoded::Near));
+            let z = stored(archive, id).z;
+            let inland =
+                (z == id.z && id.projection == Projection::Mercator).then(|| Arc::new(Inland::of(id, &shores)));
+            return Ok(coast::field::field(id, z, &shores).map(|own| Decoded::Near(own, inland)));
         }
-        Layer::Water => return water::decode(&what, bytes).map(|shores| Some(Decoded::Near(shores))),
+        Layer::Water => return water::decode(&what, bytes).map(|shores| Some(Decoded::Near(shores, None))),
         Layer::Imagery => TileTexels::Imagery(imagery::decode(&what, bytes)?),
     };
     Ok(Some(Decoded::Whole(texels)))

@@ -56,19 +56,19 @@ impl World {
         let Some(archive) = self.slot(layer, id.projection).archive().filter(is_known).cloned() else {
             return Ok(None);
         };
-        let texels = match pollster::block_on(load(&archive, key))? {
+        let (texels, inland) = match pollster::block_on(load(&archive, key))? {
             None => {
                 self.note_absent(key);
                 return Ok(None);
             }
-            Some(Decoded::Whole(texels)) => texels,
-            Some(Decoded::Near(shores)) => {
+            Some(Decoded::Whole(texels)) => (texels, None),
+            Some(Decoded::Near(shores, inland)) => {
                 let parent = id.parent().map(|parent| self.tile_blocking(layer, parent)).transpose()?.flatten();
-                shores::finished(&shores, id, parent.as_deref())
+                (shores::finished(&shores, id, parent.as_deref()), inland)
             }
         };
         let texels = Arc::new(texels);
-        self.cache.put(key, texels.clone());
+        self.cache.put(key, texels.clone(), inland);
         Ok(Some(texels))
     }
 }

@@ -5,23 +5,25 @@
 
 use super::{Key, Outcome, World};
 use crate::data::TileTexels;
+use crate::data::coast::inland::Inland;
 use crate::data::tile::{Layer, TileId};
 use crate::data::water::OwnShores;
 use crate::error::Error;
 use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
 
 /// See above.
 #[derive(Default)]
 pub(super) struct Unfinished {
     /// By level, coarse ones first.
-    tiles: BTreeMap<(u8, TileId), OwnShores>,
+    tiles: BTreeMap<(u8, TileId), (OwnShores, Option<Arc<Inland>>)>,
     silent: HashSet<Key>,
 }
 
 impl Unfinished {
     /// Takes a tile in.
-    pub(super) fn add(&mut self, id: TileId, shores: OwnShores) {
-        self.tiles.insert((id.z, id), shores);
+    pub(super) fn add(&mut self, id: TileId, shores: OwnShores, inland: Option<Arc<Inland>>) {
+        self.tiles.insert((id.z, id), (shores, inland));
     }
 
     /// Somebody asks for this tile: the answer is theirs.
@@ -70,8 +72,8 @@ impl World {
                     }
                 }
                 _ => {
-                    if let Some(shores) = self.unfinished.tiles.remove(&(id.z, id)) {
-                        self.is_here(key, finished(&shores, id, at_hand.as_deref()));
+                    if let Some((shores, inland)) = self.unfinished.tiles.remove(&(id.z, id)) {
+                        self.is_here(key, finished(&shores, id, at_hand.as_deref()), inland);
                     }
                 }
             }

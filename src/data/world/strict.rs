@@ -41,8 +41,9 @@ impl World {
         }
         let deepest_water = self.max_zoom(Layer::Water, projection);
         let Some((terrain, _)) = self.terrain_at(lat).zip(deepest_water) else { return Ok(None) };
+        let Some(stands) = self.stands_at(lat, lon, look)? else { return Ok(None) };
         let mut coming = false;
-        let found = sample(lat, lon, terrain, deepest_water, &mut |layer, id| {
+        let found = sample((lat, lon), terrain, deepest_water, stands, &mut |layer, id| {
             Ok(match look(self, layer, id)? {
                 Found::Tile(texels) => Some(texels),
                 Found::Absent => None,

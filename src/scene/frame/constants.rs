@@ -25,6 +25,7 @@ pub fn shared_constants() -> String {
         ("LAKE_SHORE", lakes::SHORE_M),
         ("LAKE_OF_MARGIN", lakes::OF_MARGIN),
         ("RIVER_MARGIN", lakes::RIVER_MARGIN_M),
+        ("OWN_RIVER", lakes::OWN_RIVER_M),
         ("LAKE_BED", lakes::BED_SLOPE),
         ("LAKE_RISE", lakes::SHORE_RISES[0]),
         ("LAKE_LEAST_RISE", lakes::SHORE_RISES[1]),

@@ -369,7 +369,8 @@ fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, cam
     if !settings.quality.is_fine() {
         return None;
     }
-    let level_m = lakes::at(camera.lat, camera.lon)?.level_m;
+    let level_m = lakes::at(camera.lat, camera.lon).map(|lake| lake.level_m);
+    let level_m = level_m.or_else(|| seas.shelter.lake_level_m(camera.lat, camera.lon))?;
     let over_m = camera.altitude_m - level_m;
     let hs_m = seas.shelter.hs_m(sea, Water::Lake, camera.lat, camera.lon);
     // As long as a crest is a quarter of a pixel.

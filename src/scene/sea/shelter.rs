@@ -10,21 +10,22 @@
 //! ```
 //!
 //! What stands in a node's way (`data::exposure`) is found once; wind and sea only weigh it anew. Nodes on land take the sea of their shore,
-//! and count next to nothing where a wet one is near. Nodes of lakes know the level of a lake that is in the table
-//! (`model::lakes`), too. Mercator's map alone: beyond 84 degrees all sea is open.
+//! and count next to nothing where a wet one is near. Nodes of lakes and rivers know their level, too, by the table
+//! (`model::lakes`) or by the terrain (`data::world`). Mercator's map alone: beyond 84 degrees all sea is open.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use crate::data::exposure::{Found, ShoreDistances, ShoreTiles, Water, cos_lat};
+use crate::data::exposure::{ShoreDistances, ShoreTiles, Water, Waters, cos_lat};
 use crate::data::fetch::now_s;
-use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, TileId, map_from_lat_lon};
+use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, map_from_lat_lon};
 use crate::model::earth::WGS84;
+use crate::model::lakes::OWN_RIVER_M;
 use crate::model::sea_tables::SeaTables;
 use crate::model::sheltered_sea::{DIRECTIONS, FARTHEST_M, LocalSea, RINGS};
 use crate::model::waves::CASCADES;
 pub use nodes::{LEAST_KNOWN, ON_LAND};
-use nodes::{Local, Node, between, finest, found, mean_gains};
+use nodes::{Local, Node, between, corners, finest, found, mean_gains};
 
 mod nodes;
 
@@ -91,7 +92,7 @@ impl Shelter {
         (tables, wind_from): (&Arc<SeaTables>, f64),
         (lat, lon, altitude_m): (f64, f64, f64),
         budget_s: f64,
-        look: &mut dyn FnMut(TileId) -> Found,
+        look: &mut dyn Waters,
     ) -> bool {
         let local = self.local(tables, wind_from);
         let mut windows = windows(lat, lon, altitude_m);
@@ -248,6 +249,29 @@ impl Shelter {
         [1.0; RINGS]
     }
 
+    /// The level of the lake around a place, m, as shaders find it there; `None` where none is known, and of a river.
+    pub fn lake_level_m(&self, lat: f64, lon: f64) -> Option<f64> {
+        let at = place(lat, lon)?;
+        for level in (0..LEVELS).filter(|level| self.windows[*level].state == KNOWN) {
+            let known = |place: [u32; 2]| {
+                let node = self.nodes.get(slot(level, place)).filter(|node| node.place == place);
+                Some(node.copied().unwrap_or(Node::NONE))
+            };
+            let Some(nodes) = corners(level, at, known) else { continue };
+            let has_level = |(share, node): &(f64, Node)| *share * node.weight > 0.0 && !node.lake[0].is_nan();
+            let [sum, all, rivers] =
+                nodes.iter().filter(|known| has_level(known)).fold([0.0; 3], |sum, (share, node)| {
+                    let counts = share * node.weight;
+                    let river = if f64::from(node.lake[1]) < OWN_RIVER_M { 0.0 } else { counts };
+                    [sum[0] + counts * f64::from(node.lake[0]), sum[1] + counts, sum[2] + river]
+                });
+            if all > 0.0 {
+                return (rivers < 0.5 * all).then_some(sum / all);
+            }
+        }
+        None
+    }
+
     /// Significant height of a sea's waves on a water there, m, as far as that is known.
     pub fn hs_m(&self, sea: &SeaTables, water: Water, lat: f64, lon: f64) -> f64 {
         sea.sea.hs_m * sea.height_gain(of_patches(self.around(water, lat, lon)))
@@ -258,7 +282,7 @@ impl Shelter {
         &mut self,
         sea: (&Arc<SeaTables>, f64),
         place: (Water, f64, f64),
-        look: &mut dyn FnMut(TileId) -> Found,
+        look: &mut dyn Waters,
     ) -> Option<Gains> {
         Some(self.nodes_at(sea, place, look)?.map_or([1.0; RINGS], |nodes| mean_gains(&nodes)))
     }
@@ -268,7 +292,7 @@ impl Shelter {
         &mut self,
         sea: (&Arc<SeaTables>, f64),
         place: (Water, f64, f64),
-        look: &mut dyn FnMut(TileId) -> Found,
+        look: &mut dyn Waters,
     ) -> Option<f64> {
         let nodes = self.nodes_at(sea, place, look)?;
         let waves = nodes.map(|nodes| self.local(sea.0, sea.1).waves(&nodes));
@@ -280,7 +304,7 @@ impl Shelter {
         &mut self,
         (tables, wind_from): (&Arc<SeaTables>, f64),
         (water, lat, lon): (Water, f64, f64),
-        look: &mut dyn FnMut(TileId) -> Found,
+        look: &mut dyn Waters,
     ) -> Option<Option<[(f64, Node); 4]>> {
         let local = self.local(tables, wind_from);
         let Some(at) = place(lat, lon).filter(|_| tables.sea.hs_m > 0.0) else { return Some(None) };

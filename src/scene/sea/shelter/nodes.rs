@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{BITS, Gains};
 use crate::data::exposure::{ShoreDistances, Water, cos_lat};
-use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, Projection, lat_lon_from_map, texels_across};
+use crate::data::tile::{EQUATOR_M, POLAR_LATITUDE_DEG, texels_across};
 use crate::model::lakes;
 use crate::model::sea_tables::SeaTables;
 use crate::model::sheltered_sea::{
@@ -29,9 +29,9 @@ pub(super) struct Node {
     pub(super) place: [u32; 2],
     /// Whose water it tells of.
     pub(super) water: Water,
-    /// Level and margin of a lake of the table, m; NaN where it is none.
+    /// Level and margin of its lake or river, m; NaN where none is known.
     pub(super) lake: [f32; 2],
-    /// Its mean depth, m.
+    /// Mean depth of a lake of the table, m.
     pub(super) depth_m: f32,
     /// Distances to the shores that stand there and clearances; NaN where they are not known.
     pub(super) exposures: [[f32; 2]; DIRECTIONS],
@@ -93,7 +93,7 @@ impl Local {
     /// Mean depth of a node's lake, m: the table's, else the usual one of a lake about as large as the water before the node is wide, to a power
     /// of 2. Exposures that a sea before this one needed do not count.
     fn depth_m(&self, node: &Node, exposures: &Exposures) -> f64 {
-        let of_table = (!node.lake[0].is_nan()).then(|| node.depth_m.into());
+        let of_table = (!node.depth_m.is_nan()).then(|| node.depth_m.into());
         of_table.unwrap_or_else(|| {
             let known = exposures.iter().enumerate().filter(|(direction, _)| self.open.needs(*direction));
             let known = known.filter_map(|(_, exposure)| exposure.as_ref());
@@ -127,14 +127,12 @@ impl Local {
     }
 }
 
-/// The four nodes around a place, and the share that each has in its water, together 1. They are what `known` tells: `None` where it does
-/// not know, `Some(None)` where they know no water.
-pub(super) fn between(
+/// The four nodes around a place, and how near each is.
+pub(super) fn corners(
     level: usize,
     (x, y): (f64, f64),
-    water: Water,
     mut known: impl FnMut([u32; 2]) -> Option<Node>,
-) -> Option<Option<[(f64, Node); 4]>> {
+) -> Option<[(f64, Node); 4]> {
     let around = f64::from(BITS[level]).exp2();
     let (gx, gy) = (x * around, y * around);
     let (i, j) = (gx.floor(), gy.floor());
@@ -143,9 +141,21 @@ pub(super) fn between(
     let corners = [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)];
     for (found, (di, dj, share)) in nodes.iter_mut().zip(corners) {
         let place = [(i as u32 + di) & ((1 << BITS[level]) - 1), j as u32 + dj];
-        let node = known(place)?;
-        *found = (share * node.counts(water), node);
+        *found = (share, known(place)?);
     }
+    Some(nodes)
+}
+
+/// The four nodes around a place, and the share that each has in its water, together 1. They are what `known` tells: `None` where it does
+/// not know, `Some(None)` where they know no water.
+pub(super) fn between(
+    level: usize,
+    (x, y): (f64, f64),
+    water: Water,
+    mut known: impl FnMut([u32; 2]) -> Option<Node>,
+) -> Option<Option<[(f64, Node); 4]>> {
+    let mut nodes = corners(level, (x, y), &mut known)?;
+    nodes.iter_mut().for_each(|(share, node)| *share *= node.counts(water));
     let all: f64 = nodes.iter().map(|(weight, _)| weight).sum();
     Some((all > LEAST_KNOWN).then(|| nodes.map(|(weight, node)| (weight / all, node))))
 }
@@ -188,9 +198,9 @@ pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut S
         at = into_water(shores, (finest, node.water), at, 0.3 * apart_m)?;
     }
     if node.water == Water::Lake {
-        let (lat, lon) = lat_lon_from_map(Projection::Mercator, at.0, at.1);
-        if let Some(lake) = lakes::at(lat, lon) {
-            (node.lake, node.depth_m) = ([lake.level_m as f32, lake.margin_m as f32], lake.depth_m as f32);
+        if let Some(known) = shores.stands(finest, at)? {
+            node.lake = [known.level_m as f32, known.margin_m as f32];
+            node.depth_m = known.depth_m.map_or(f32::NAN, |depth_m| depth_m as f32);
         }
     }
     for direction in (0..DIRECTIONS).filter(|direction| local.open.needs(*direction)) {
