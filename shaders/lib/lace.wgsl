@@ -237,7 +237,9 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
         tilt += mix(BUMPS_THIN, -1.0, thick) * seen.bumps;
         open -= CREASE * thick * clamp(seen.crease, -2.0, 2.0);
     }
-    return Foam(white + faint, open, max(plume, saturate(BUBBLES_BELOW * (white + faint))), shade_of(rise, thick, deviation, fine),
+    // Rafts among film may be as thick as dense foam, and are no whiter.
+    let opaque = min(white + faint, 1.0);
+    return Foam(opaque, open, max(plume, saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 

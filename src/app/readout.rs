@@ -42,7 +42,7 @@ impl Overlay<'_> {
             ui.painter().galley(at, galley, Color32::WHITE);
         }
         let place = self.cursor.and_then(|pixel| self.camera.unproject(pixel, self.size));
-        let sample = place.and_then(|place| world.sample_resident(place.lat, place.lon));
+        let sample = place.and_then(|place| world.sample_passing(place.lat, place.lon));
         let text = place.map_or_else(String::new, |place| described(place, sample));
         outlined(ui, line(2.2), &text);
         let rest_m = settings.datum.rest_m(self.camera.lat, self.camera.lon);

@@ -42,6 +42,9 @@ pub struct Sample {
     /// The level of the lake or river that covers the ground, metres, where it is known: by the table, or by the terrain along its shore or
     /// course. The elevation is that, too.
     pub inland_level_m: Option<f64>,
+    /// Whether its surface moves near the eye: that of a lake whose level is known, and not of a river, however wide.
+    #[serde(skip)]
+    pub is_moving_lake: bool,
     /// The level of the terrain tile.
     pub terrain_level: u8,
     /// The level of the water tile; `None`: no tile, the class comes from the sign of the elevation.
@@ -102,6 +105,7 @@ pub fn sample(
             lake_distance_m: None,
             lake: None,
             inland_level_m: None,
+            is_moving_lake: false,
             terrain_level,
             water_level: None,
         }));
@@ -143,6 +147,7 @@ pub fn sample(
         lake_distance_m: map.known(lake_m, lat),
         lake: at_level.and_then(|lake| lake.name),
         inland_level_m: at_level.map(|water| water.level_m),
+        is_moving_lake: class == WaterClass::Lake && at_level.is_some_and(|water| !water.is_river()),
         terrain_level,
         water_level: Some(water_level),
     }))

@@ -193,8 +193,7 @@ impl World {
         if self.pending.contains_key(&key) {
             return;
         }
-        let now = now_s();
-        self.given_up.retain(|_, until| *until > now);
+        self.forgive(now_s());
         self.pending.insert(key, 0);
         self.slots[slot_index(layer, id.projection)].ask();
         if let Some(texels) = self.cache.get(&key) {
@@ -212,19 +211,36 @@ impl World {
 
     /// What is known of a tile. One that is not is asked for; its answer comes to nobody, but it is in the cache then.
     pub fn look(&mut self, layer: Layer, id: TileId) -> Found {
+        if let Some(found) = self.known(layer, id) {
+            return found;
+        }
         let key = (layer, id);
-        if let Some(texels) = self.cache.get(&key) {
-            return Found::Tile(texels);
-        }
-        let beyond = self.max_zoom(layer, id.projection).is_some_and(|deepest| id.z > deepest);
-        if beyond || self.absent.contains(&key) || self.given_up.contains_key(&key) || !self.has(layer, id.projection) {
-            return Found::Absent;
-        }
         if !self.pending.contains_key(&key) {
             self.request(layer, id);
             self.unfinished.asks_silently(key);
         }
         Found::Coming
+    }
+
+    /// The tile, or that there is none; `None` where neither is known.
+    fn known(&mut self, layer: Layer, id: TileId) -> Option<Found> {
+        let key = (layer, id);
+        if let Some(texels) = self.cache.get(&key) {
+            return Some(Found::Tile(texels));
+        }
+        let beyond = self.max_zoom(layer, id.projection).is_some_and(|deepest| id.z > deepest);
+        let is_absent =
+            beyond || self.absent.contains(&key) || self.given_up.contains_key(&key) || !self.has(layer, id.projection);
+        is_absent.then_some(Found::Absent)
+    }
+
+    /// Lets what was given up long enough ago be asked for again; levels found without it are found anew.
+    fn forgive(&mut self, now: f64) {
+        let given_up = self.given_up.len();
+        self.given_up.retain(|_, until| *until > now);
+        if self.given_up.len() < given_up {
+            self.levels = Levels::default();
+        }
     }
 
     /// Sends what has been asked for: neighbours together.
@@ -243,6 +259,7 @@ impl World {
         }
         self.finish_shores();
         let now = now_s();
+        self.forgive(now);
         let (due, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|(at, _)| *at <= now);
         self.waiting = waiting;
         due.into_iter().for_each(|(_, key): (f64, Key)| self.make_ready(key));
@@ -307,11 +324,20 @@ impl World {
     }
 
     /// What is at geodetic `lat`, `lon` (radians), from the tiles in the cache; `None` where not even a coarse terrain
-    /// tile is there.
+    /// tile is there. Tiles that tell at what level inland water lies there are asked for: of places that stay, as the eye's.
     pub fn sample_resident(&mut self, lat: f64, lon: f64) -> Option<Sample> {
+        self.sample_now(lat, lon, true)
+    }
+
+    /// The same of places that pass, as the cursor's: nothing is asked for.
+    pub fn sample_passing(&mut self, lat: f64, lon: f64) -> Option<Sample> {
+        self.sample_now(lat, lon, false)
+    }
+
+    fn sample_now(&mut self, lat: f64, lon: f64, may_ask: bool) -> Option<Sample> {
         let terrain = self.terrain_at(lat)?;
         let deepest_water = self.max_zoom(Layer::Water, Projection::for_latitude(lat));
-        let stands = self.stands_at(lat, lon, Self::look_or_parent).ok().flatten().flatten();
+        let stands = self.stands_now(lat, lon, may_ask);
         let cache = &mut self.cache;
         sample((lat, lon), terrain, deepest_water, stands, &mut |layer, id| Ok(cache.get(&(layer, id)))).ok().flatten()
     }

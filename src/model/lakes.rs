@@ -51,33 +51,36 @@ pub struct Stands {
     pub depth_m: Option<f64>,
     /// The name of a lake of the table.
     pub name: Option<&'static str>,
-    /// Whether it is a river.
-    pub is_river: bool,
 }
 
-/// From this margin on a level is a river's own, m.
-pub const OWN_RIVER_M: f64 = 5_500.0;
+/// From this margin on a level is a river's own, m: half way between a small lake's and a river's, where nodes of both are mixed.
+pub const OWN_RIVER_M: f64 = 1.5 * TIGHT_M;
 
 impl Stands {
     /// A lake of the table.
     pub fn of(lake: &Lake) -> Self {
         let Lake { level_m, margin_m, depth_m, name, .. } = *lake;
-        Self { level_m, margin_m, depth_m: Some(depth_m), name: Some(name), is_river: false }
+        Self { level_m, margin_m, depth_m: Some(depth_m), name: Some(name) }
     }
 
     /// Another one, which is told from all others by its shore.
     pub fn lake(level_m: f64) -> Self {
-        Self { level_m, margin_m: TIGHT_M, depth_m: None, name: None, is_river: false }
+        Self { level_m, margin_m: TIGHT_M, depth_m: None, name: None }
     }
 
     /// A river.
     pub fn river(level_m: f64) -> Self {
-        Self { margin_m: 2.0 * TIGHT_M, is_river: true, ..Self::lake(level_m) }
+        Self { margin_m: 2.0 * TIGHT_M, ..Self::lake(level_m) }
+    }
+
+    /// Whether it is a river.
+    pub fn is_river(&self) -> bool {
+        self.margin_m >= OWN_RIVER_M
     }
 
     /// Of ground that is so much higher by the data other water is taken for this, m; as `margin_for` of `shaders/lib/shelter.wgsl`.
     pub fn margin_for(&self, by_river: bool) -> f64 {
-        if by_river && self.margin_m < OWN_RIVER_M { self.margin_m.min(RIVER_MARGIN_M) } else { self.margin_m }
+        if by_river && !self.is_river() { self.margin_m.min(RIVER_MARGIN_M) } else { self.margin_m }
     }
 }
 

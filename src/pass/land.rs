@@ -203,7 +203,6 @@ impl Land {
         }
         self.draws.clear();
         self.tiles = drawn.len() as u32;
-        self.triangles = self.tiles * whole.len() as u32 / 3;
         let mut instances = Vec::new();
         let mut draw = |by: (Near, Beach, bool), indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
             let first = instances.len() as u32;
@@ -225,6 +224,8 @@ impl Land {
                 draw((near, Beach::Only, rugged), indices, &|beaches| beaches >> block & 1 != 0);
             }
         }
+        let triangles = |draw: &Draw| draw.instances.len() as u32 * draw.indices.len() as u32 / 3;
+        self.triangles = self.draws.iter().map(triangles).sum();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
     }
 

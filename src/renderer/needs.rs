@@ -5,7 +5,6 @@ use super::{Radiance, Renderer};
 use crate::data::exposure::Water;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
-use crate::data::water::WaterClass;
 use crate::data::world::{World, WorldWaters};
 use crate::model::optics::opaque_depth_m;
 use crate::model::waves;
@@ -87,7 +86,7 @@ impl Renderer {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {
-            if place.class != WaterClass::Lake || place.inland_level_m.is_none() || !state.settings.quality.is_fine() {
+            if !place.is_moving_lake || !state.settings.quality.is_fine() {
                 return above_ground(&asked, place.elevation_m);
             }
             // Over the crests of a lake whose surface is drawn.

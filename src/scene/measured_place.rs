@@ -130,8 +130,7 @@ impl MeasuredPlaces {
             };
             object["lake_hs_m"] = (tables.height_gain(gains) * tables.sea.hs_m).into();
             object["lake_tp_s"] = peak_s.into();
-            // Where the level is known the surface is drawn.
-            if sample.inland_level_m.is_some() && state.settings.quality.is_fine() {
+            if sample.is_moving_lake && state.settings.quality.is_fine() {
                 let depth_m = lakes::BED_SLOPE * sample.lake_distance_m.unwrap_or(0.0);
                 let waves = self.seas.sample_in(&state.settings, (lat, lon), *unix_seconds, depth_m, gains);
                 let found = SurfaceSample { height_m: waves.height_m + sample.elevation_m, ..waves };

@@ -146,7 +146,7 @@ fn windows_of_a_moving_picture_come_by_and_by() {
     let asked: Vec<_> = places(&mut world, &camera, 23.0).iter().map(asked_at).collect();
     let shores = made(&mut world, &frame);
     // The share of the sea's energy that the trains have, summed over the places.
-    let mut share = |asker: &mut Asker| -> f64 {
+    let share = |asker: &mut Asker| -> f64 {
         asker.found::<_, [f32; 8]>(&shores, &frame, &asked).iter().map(|found| f64::from(found[3])).sum()
     };
     let whole = share(&mut Asker::new(TRAINS));

@@ -5,9 +5,14 @@
 
 use super::{BUFFER_TEXELS, Level, Shores, Stream};
 use crate::data::tile::{TILE_TEXELS, TileId};
+use std::cmp::Reverse;
+use std::collections::HashMap;
 
 /// Share of a coarser line's points that a finer one of the same lake has, at least.
 const SHARED: f64 = 0.8;
+
+/// Looks at cells and points that finding a line in another tile takes, at most: more than any shore needs, and soon done.
+const MOST_LOOKS: usize = 1 << 22;
 
 /// A water so many times as long as it is wide flows: narrow lakes are up to 40, labyrinths as Päijänne up to 100.
 const RIVER_WIDTHS: f64 = 150.0;
@@ -123,13 +128,24 @@ impl Inland {
     /// The lake that a coarser tile's line is, if it is here.
     pub fn finer(&self, coarse: &Self, line: usize) -> Option<usize> {
         let line = coarse.lakes.get(line)?;
-        (0..self.lakes.len()).find(|index| is_same(line, coarse, &self.lakes[*index], self))
+        let shown = shown(line, [coarse, self], coarse.unit);
+        let mut near: Vec<_> =
+            (0..self.lakes.len()).filter(|index| are_near(line, &self.lakes[*index], coarse.unit)).collect();
+        // Ponds in its box come after it.
+        near.sort_by_key(|index| Reverse(self.lakes[*index].points.len()));
+        let mut left = MOST_LOOKS;
+        near.into_iter().find(|index| Points::of(&self.lakes[*index], coarse.unit).have_most(&shown, &mut left))
     }
 
     /// The lake that a finer tile's line is, if it is here.
     pub fn coarser(&self, fine: &Self, line: usize) -> Option<usize> {
         let line = fine.lakes.get(line)?;
-        (0..self.lakes.len()).find(|index| is_same(&self.lakes[*index], self, line, fine))
+        let points = Points::of(line, self.unit);
+        let mut left = MOST_LOOKS;
+        (0..self.lakes.len()).find(|index| {
+            let own = &self.lakes[*index];
+            are_near(own, line, self.unit) && points.have_most(&shown(own, [self, fine], self.unit), &mut left)
+        })
     }
 }
 
@@ -166,23 +182,67 @@ fn is_inside(at: Place, [low, high]: [Place; 2], margin: f64) -> bool {
     (0..2).all(|axis| at[axis] > low[axis] + margin && at[axis] < high[axis] - margin)
 }
 
-/// Whether the points of the coarser line that the finer one's tile reaches are among its own.
-fn is_same(coarse: &Lake, of_coarse: &Inland, fine: &Lake, of_fine: &Inland) -> bool {
-    // To the rounding of both.
-    let margin = of_coarse.unit;
-    let [low, high] = fine.corners;
-    if (0..2).any(|axis| coarse.corners[1][axis] < low[axis] - margin || coarse.corners[0][axis] > high[axis] + margin)
-    {
-        return false;
+/// Whether the boxes of two lines meet, to a margin.
+fn are_near(a: &Lake, b: &Lake, margin: f64) -> bool {
+    (0..2).all(|axis| {
+        a.corners[1][axis] >= b.corners[0][axis] - margin && a.corners[0][axis] <= b.corners[1][axis] + margin
+    })
+}
+
+/// The points of a line that two tiles reach.
+fn shown(line: &Lake, of: [&Inland; 2], margin: f64) -> Vec<Place> {
+    line.points.iter().copied().filter(|at| of.iter().all(|of| is_inside(*at, of.bounds, margin))).collect()
+}
+
+/// The points of a finer line, by cells as wide as the coarser one's unit: to the rounding of both.
+struct Points {
+    margin: f64,
+    corners: [Place; 2],
+    cells: HashMap<[i64; 2], Vec<Place>>,
+}
+
+impl Points {
+    fn of(fine: &Lake, margin: f64) -> Self {
+        let mut points = Self { margin, corners: fine.corners, cells: HashMap::new() };
+        for at in &fine.points {
+            points.cells.entry(points.cell(*at)).or_default().push(*at);
+        }
+        points
     }
-    let within = |at: &&Place| is_inside(**at, of_fine.bounds, margin) && is_inside(**at, of_coarse.bounds, margin);
-    let (mut all, mut shared) = (0, 0);
-    for at in coarse.points.iter().filter(within) {
-        all += 1;
-        let is_near = |own: &Place| (0..2).all(|axis| (own[axis] - at[axis]).abs() <= margin);
-        shared += usize::from(fine.points.iter().any(is_near));
+
+    fn cell(&self, at: Place) -> [i64; 2] {
+        at.map(|at| (at / self.margin).floor() as i64)
     }
-    all > 0 && f64::from(shared as u32) >= SHARED * f64::from(all)
+
+    /// Whether one is near a place; none is once no looks are left.
+    fn have(&self, at: Place, left: &mut usize) -> bool {
+        *left = left.saturating_sub(1);
+        if *left == 0 || !is_inside(at, self.corners, -2.0 * self.margin) {
+            return false;
+        }
+        let [i, j] = self.cell(at);
+        let mut around = (-1..=1).flat_map(|di| (-1..=1).map(move |dj| [i + di, j + dj]));
+        around.any(|cell| {
+            *left = left.saturating_sub(1);
+            self.cells.get(&cell).into_iter().flatten().any(|own| {
+                *left = left.saturating_sub(1);
+                *left > 0 && (0..2).all(|axis| (own[axis] - at[axis]).abs() <= self.margin)
+            })
+        })
+    }
+
+    /// Whether they have enough of a coarser line's points.
+    fn have_most(&self, coarse: &[Place], left: &mut usize) -> bool {
+        let least = SHARED * coarse.len() as f64;
+        let mut shared = coarse.len();
+        for at in coarse {
+            shared -= usize::from(!self.have(*at, left));
+            if *left == 0 || (shared as f64) < least {
+                return false;
+            }
+        }
+        shared > 0
+    }
 }
 
 /// The square of the distance to a line.
@@ -196,4 +256,27 @@ fn square_away(at: Place, points: &[Place], is_closed: bool) -> f64 {
         off[0] * off[0] + off[1] * off[1]
     };
     points.iter().zip(points.iter().skip(1)).chain(last).map(away).fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inland(lakes: impl Iterator<Item = Vec<Place>>, unit: f64) -> Inland {
+        let lake = |points| Lake { points, corners: [[0.2; 2], [0.8; 2]], is_whole: true };
+        Inland { lakes: lakes.map(lake).collect(), rivers: Vec::new(), unit, bounds: [[0.0; 2], [1.0; 2]] }
+    }
+
+    #[test]
+    fn tiles_made_to_match_slowly_are_done_soon() {
+        let began = std::time::Instant::now();
+        // Points in the corner of each other's cells, but not near.
+        let [line, others] = [[0.5001, 0.5001], [0.5019, 0.5019]].map(|at| vec![at; 1 << 17]);
+        let coarse = inland([line].into_iter(), 1e-3);
+        assert_eq!(inland([others.clone()].into_iter(), 5e-4).finer(&coarse, 0), None);
+        assert_eq!(coarse.coarser(&inland([others].into_iter(), 5e-4), 0), None);
+        let ponds = || vec![[0.5019, 0.5019]; 4];
+        assert_eq!(inland((0..1 << 15).map(|_| ponds()), 5e-4).finer(&coarse, 0), None);
+        assert!(began.elapsed().as_secs() < 10, "{:?}", began.elapsed());
+    }
 }

@@ -26,6 +26,8 @@ pub(super) struct Residency {
     resident: HashMap<TileId, Resident>,
     /// Of every tile that is resident or has resident descendants: the range of all of these, metres.
     at_and_below: HashMap<TileId, Range>,
+    /// Tiles that show an inland water, or have resident descendants that do.
+    inland: HashSet<TileId>,
     /// Tiles that the archive lacks: their parents serve.
     absent: HashSet<TileId>,
     /// Tiles that could not be had, and when to ask again, seconds: until then their parents serve.
@@ -40,6 +42,7 @@ impl Residency {
         Self {
             resident: HashMap::new(),
             at_and_below: HashMap::new(),
+            inland: HashSet::new(),
             absent: HashSet::new(),
             failed: HashMap::new(),
             free: (1..slots).rev().collect(),
@@ -61,7 +64,11 @@ impl Residency {
         let slot = self.free.pop().or_else(|| self.evict(now))?;
         let range = TileRange::new(texels);
         let whole = self.metres(id, id.z, range.whole());
-        self.resident.insert(id, Resident { slot, last_used: now, range, whole });
+        let resident = Resident { slot, last_used: now, range, whole };
+        if resident.shows_inland(id, id.z) {
+            self.inland.extend(super::lineage(id));
+        }
+        self.resident.insert(id, resident);
         widen(&mut self.at_and_below, id, whole);
         Some(slot)
     }
@@ -103,13 +110,10 @@ impl Residency {
         above.chain(self.at_and_below.get(&id).copied()).reduce(Range::union)
     }
 
-    /// Whether a pixel in `id` may show some of a lake or a river, as far as the tile tells that serves for it.
+    /// Whether a pixel in `id` may show some of a lake or a river, as far as the tile tells that serves for it, and those below it.
     pub(super) fn has_inland(&self, id: TileId) -> bool {
         let serving = super::lineage(id).find_map(|tile| Some((tile.z, self.resident.get(&tile)?)));
-        serving.is_none_or(|(z, resident)| {
-            let (first, last) = texels_in(id, z);
-            resident.range.inland(first, last) > -SHOWN_TEXELS
-        })
+        self.inland.contains(&id) || serving.is_none_or(|(z, resident)| resident.shows_inland(id, z))
     }
 
     /// Metres in `id` of a range of a tile of level `z`.
@@ -133,6 +137,8 @@ impl Residency {
         let slot = self.resident.remove(&id).map(|r| r.slot);
         self.at_and_below.clear();
         self.resident.iter().for_each(|(id, resident)| widen(&mut self.at_and_below, *id, resident.whole));
+        let inland = self.resident.iter().filter(|(id, resident)| resident.shows_inland(**id, id.z));
+        self.inland = inland.flat_map(|(id, _)| super::lineage(*id)).collect();
         slot
     }
 }
@@ -145,6 +151,12 @@ fn widen(sums: &mut HashMap<TileId, Range>, id: TileId, range: Range) {
 }
 
 impl Resident {
+    /// Whether this tile of level `z` may show some of a lake or a river in its descendant `id`.
+    fn shows_inland(&self, id: TileId, z: u8) -> bool {
+        let (first, last) = texels_in(id, z);
+        self.range.inland(first, last) > -SHOWN_TEXELS
+    }
+
     /// Of the texels of this tile of level `z` that lie in its descendant `id`, and one more on each side.
     fn range_in(&self, id: TileId, z: u8) -> Range {
         let (first, last) = texels_in(id, z);

@@ -23,7 +23,7 @@ use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 use crate::error::{Error, Result};
 use crate::model::lakes::{self, Stands};
 use crate::model::sea_bed::grid_level;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 /// Deepest level of the tiles whose lines tell of a lake.
@@ -36,8 +36,10 @@ const REACH_M: f64 = 100_000.0;
 const DEEPEST_TERRAIN: u8 = 8;
 /// Which part of a shore's cells is lower than the lake.
 const LOWER: f64 = 0.2;
-/// Cells of a line, at most.
+/// Cells of a tile's lines, at most.
 const MOST_CELLS: usize = 1 << 14;
+/// Tiles of the terrain in which these may lie: many more would not stay in the cache until the last is there.
+const MOST_TILES: usize = 128;
 /// Levels kept.
 const MOST_KEPT: usize = 1 << 16;
 /// Levels of tiles from which on there are rivers of a kind, and those within 10 texels around.
@@ -62,8 +64,8 @@ struct Cell {
     middle: [f64; 2],
     /// The lowest of its texels.
     metres: f64,
-    /// How much of the line, about.
-    passed: u32,
+    /// How much of the lines, texels, about.
+    passed: f64,
 }
 
 type Cells = Arc<Vec<Cell>>;
@@ -79,12 +81,19 @@ enum Standing {
     River(Cells),
 }
 
-/// What has been found.
+/// What has been found. All of it is forgotten when tiles that were given up may be asked for again: something may have been found without them.
 #[derive(Default)]
 pub(super) struct Levels {
     lakes: HashMap<(TileId, usize), Standing>,
     rivers: HashMap<(TileId, Stream), Cells>,
+    /// Which line of another tile a tile's line is, while further tiles are on their way.
+    same: HashMap<(TileId, usize, TileId), Option<usize>>,
+    /// The last places that were sampled out of the cache, by how, and the level of their lines.
+    last: [Option<Last>; 2],
 }
+
+/// A place on the unit map, the level of its lines and how its water stands.
+type Last = ((f64, f64), u8, Option<Stands>);
 
 /// The waters of a world, for what asks for their tiles and levels.
 pub struct WorldWaters<'a> {
@@ -126,6 +135,14 @@ impl World {
         Ok(self.look(layer, id))
     }
 
+    /// What the cache and the archives say of a tile; one that they do not know is on its way, but not asked for.
+    ///
+    /// # Errors
+    /// None.
+    pub fn look_at_hand(&mut self, layer: Layer, id: TileId) -> Result<Found> {
+        Ok(self.known(layer, id).unwrap_or(Found::Coming))
+    }
+
     /// At what level the inland water nearest to a place of Mercator's unit map lies, by lines of level `z`; `Some(None)` where none is near or its
     /// level is not known, `None` while tiles are on their way.
     ///
@@ -161,6 +178,29 @@ impl World {
         self.stands_by(LINES_LEVEL, map_from_lat_lon(Projection::Mercator, lat, lon), look)
     }
 
+    /// The same for readouts: as the table has it while tiles are on their way. Without `may_ask` none is asked for, and the finest lines are
+    /// those of the cache.
+    pub(super) fn stands_now(&mut self, lat: f64, lon: f64, may_ask: bool) -> Option<Stands> {
+        if Projection::for_latitude(lat) != Projection::Mercator {
+            return None;
+        }
+        let at = map_from_lat_lon(Projection::Mercator, lat, lon);
+        let (look, finest): (Look, _) = if may_ask {
+            (Self::look_or_parent, Some(LINES_LEVEL))
+        } else {
+            let is_here = |z: &u8| self.cache.get(&(Layer::Water, tile_at(*z, at))).is_some();
+            (Self::look_at_hand, (0..=LINES_LEVEL).rev().find(is_here))
+        };
+        let last = self.levels.last[usize::from(may_ask)];
+        if let Some((_, _, stands)) = last.filter(|(place, z, _)| *place == at && Some(*z) == finest) {
+            return stands;
+        }
+        let found = finest.and_then(|z| Some((z, self.stands_by(z, at, look).ok().flatten()?)));
+        let Some((z, stands)) = found else { return lakes::at(lat, lon).map(Stands::of) };
+        self.levels.last[usize::from(may_ask)] = Some((at, z, stands));
+        stands
+    }
+
     /// The lines of the deepest tile there is at a place down to level `z`; `None` while it is on its way.
     fn lines(&mut self, z: u8, at: (f64, f64), look: Look) -> Result<Option<(TileId, Option<Arc<Inland>>)>> {
         let stored = self.slot(Layer::Water, Projection::Mercator).archive().map(|archive| archive.header().max_zoom);
@@ -186,23 +226,25 @@ impl World {
         let (mut top, mut lines, mut own) = (id, inland.clone(), line);
         while let Some(parent) = top.parent() {
             let Some(above) = self.lines_of(parent, look)? else { return Ok(None) };
-            let Some(same) = above.as_ref().and_then(|above| above.coarser(&lines, own)) else { break };
-            (top, lines, own) = (parent, above.unwrap_or(lines), same);
+            let Some(above) = above else { break };
+            let Some(same) = self.levels.same((top, own, parent), || above.coarser(&lines, own)) else { break };
+            (top, lines, own) = (parent, above, same);
         }
         // And down at its middle.
         let mut found = lines.lakes[own].is_whole.then(|| (top, lines.clone(), own));
         let [low, high] = lines.lakes[own].corners;
         let middle = (0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]));
-        let mut last = (lines, own);
+        let mut last = (top, lines, own);
         for z in top.z + 1..=LINES_LEVEL.min(top.z + FINER) {
             let below = tile_at(z, middle);
             let Some(finer) = self.lines_of(below, look)? else { return Ok(None) };
             let Some(finer) = finer else { break };
-            let Some(same) = finer.finer(&last.0, last.1) else { break };
+            let (above, lines, own) = &last;
+            let Some(same) = self.levels.same((*above, *own, below), || finer.finer(lines, *own)) else { break };
             if finer.lakes[same].is_whole {
                 found = Some((below, finer.clone(), same));
             }
-            last = (finer, same);
+            last = (below, finer, same);
         }
         let mut standing = Standing::Unknown;
         if let Some((of, lines, line)) = found {
@@ -254,8 +296,9 @@ impl World {
         })
     }
 
-    /// The cells between the terrain's texels that lines pass, each once, and the lowest texel of each. Which they are follows from the lines alone,
-    /// not from where they are cut.
+    /// The cells between the terrain's texels that lines of a tile pass, each once, and the lowest texel of each; none where they are strewn over
+    /// more than [`MOST_TILES`]. Lines are looked at every quarter of a texel from each of their points on: of a cell that one passes by a corner
+    /// alone where it is cut and how dense its points are may decide.
     fn cells(
         &mut self,
         of: TileId,
@@ -266,20 +309,26 @@ impl World {
         let z = grid_level(terrain.resolution_m).min(terrain.deepest).min(DEEPEST_TERRAIN);
         let side = texels_across(z);
         let mut all = BTreeMap::new();
-        for line in lines {
+        'lines: for line in lines {
             for (a, b) in line.iter().zip(line.iter().skip(1)) {
                 let [a, b] = [a, b].map(|at| at.map(|at| at * side - 0.5));
                 let way = [b[0] - a[0], b[1] - a[1]];
                 let steps = (4.0 * way[0].abs().max(way[1].abs())).ceil().clamp(1.0, 4096.0) as u32;
+                let step_texels = libm::hypot(way[0], way[1]) / f64::from(steps);
                 for step in 0..=steps {
+                    if all.len() >= MOST_CELLS {
+                        break 'lines;
+                    }
                     let part = f64::from(step) / f64::from(steps);
                     let cell = [0, 1].map(|axis| (a[axis] + part * way[axis]).floor() as i64);
-                    *all.entry(cell).or_insert(0u32) += 1;
-                }
-                if all.len() > MOST_CELLS {
-                    break;
+                    // The last point is the next piece's first.
+                    *all.entry(cell).or_insert(0.0) += if step < steps { step_texels } else { 0.0 };
                 }
             }
+        }
+        let tiles: HashSet<_> = all.keys().map(|cell| cell.map(|at| at.div_euclid(TILE_TEXELS as i64))).collect();
+        if tiles.len() > MOST_TILES {
+            return Ok(Some(Vec::new()));
         }
         let mut cells = Vec::with_capacity(all.len());
         for ([i, j], passed) in all {
@@ -344,6 +393,16 @@ impl World {
     }
 }
 
+impl Levels {
+    /// A line as another tile has it, found once.
+    fn same(&mut self, of: (TileId, usize, TileId), find: impl FnOnce() -> Option<usize>) -> Option<usize> {
+        if self.same.len() >= MOST_KEPT {
+            self.same.clear();
+        }
+        *self.same.entry(of).or_insert_with(find)
+    }
+}
+
 /// The level at a place of a river that passes cells, m, of which those within the reach of its kind count.
 fn falling_m(cells: &[Cell], at: (f64, f64), stream: Stream) -> Option<f64> {
     let reach = RIVER_REACHES_TEXELS[stream.index()] / texels_across(RIVER_LEVELS[stream.index()]);
@@ -366,9 +425,9 @@ fn falling_m(cells: &[Cell], at: (f64, f64), stream: Stream) -> Option<f64> {
 /// What [`LOWER`] of a shore, by its length, is not higher than, m.
 fn lowest(mut cells: Vec<Cell>) -> Option<f64> {
     cells.sort_by(|a, b| a.metres.total_cmp(&b.metres));
-    let mut left = LOWER * cells.iter().map(|cell| f64::from(cell.passed)).sum::<f64>();
+    let mut left = LOWER * cells.iter().map(|cell| cell.passed).sum::<f64>();
     let at = cells.iter().find(|cell| {
-        left -= f64::from(cell.passed);
+        left -= cell.passed;
         left <= 0.0
     });
     at.or(cells.last()).map(|cell| cell.metres)

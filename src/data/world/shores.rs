@@ -12,11 +12,14 @@ use crate::error::Error;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
+/// What a tile tells by itself.
+type Own = (OwnShores, Option<Arc<Inland>>);
+
 /// See above.
 #[derive(Default)]
 pub(super) struct Unfinished {
     /// By level, coarse ones first.
-    tiles: BTreeMap<(u8, TileId), (OwnShores, Option<Arc<Inland>>)>,
+    tiles: BTreeMap<(u8, TileId), Own>,
     silent: HashSet<Key>,
 }
 

@@ -259,14 +259,14 @@ impl Shelter {
             };
             let Some(nodes) = corners(level, at, known) else { continue };
             let has_level = |(share, node): &(f64, Node)| *share * node.weight > 0.0 && !node.lake[0].is_nan();
-            let [sum, all, rivers] =
+            let [sum, all, margins] =
                 nodes.iter().filter(|known| has_level(known)).fold([0.0; 3], |sum, (share, node)| {
                     let counts = share * node.weight;
-                    let river = if f64::from(node.lake[1]) < OWN_RIVER_M { 0.0 } else { counts };
-                    [sum[0] + counts * f64::from(node.lake[0]), sum[1] + counts, sum[2] + river]
+                    let [level, margin] = node.lake.map(|x| counts * f64::from(x));
+                    [sum[0] + level, sum[1] + counts, sum[2] + margin]
                 });
             if all > 0.0 {
-                return (rivers < 0.5 * all).then_some(sum / all);
+                return (margins < OWN_RIVER_M * all).then_some(sum / all);
             }
         }
         None

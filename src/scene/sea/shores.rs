@@ -277,7 +277,7 @@ impl Shores {
         words[TABLE - 1] = [(self.taken_share(&frame.sea) as f32).to_bits(), 0];
         for ([x, y], slot, share) in slots {
             words[TABLE + (y as usize & 7) * 8 + (x as usize & 7)] =
-                [x | y << 16, slot as u32 + 1 | ((65_535.0 * share) as u32) << 16];
+                [x | (y << 16), (slot as u32 + 1) | (((65_535.0 * share) as u32) << 16)];
         }
         words
     }

@@ -197,11 +197,11 @@ pub(super) fn found(level: usize, place: [u32; 2], local: &Local, shores: &mut S
         node.weight = ON_LAND;
         at = into_water(shores, (finest, node.water), at, 0.3 * apart_m)?;
     }
-    if node.water == Water::Lake {
-        if let Some(known) = shores.stands(finest, at)? {
-            node.lake = [known.level_m as f32, known.margin_m as f32];
-            node.depth_m = known.depth_m.map_or(f32::NAN, |depth_m| depth_m as f32);
-        }
+    if node.water == Water::Lake
+        && let Some(known) = shores.stands(finest, at)?
+    {
+        node.lake = [known.level_m as f32, known.margin_m as f32];
+        node.depth_m = known.depth_m.map_or(f32::NAN, |depth_m| depth_m as f32);
     }
     for direction in (0..DIRECTIONS).filter(|direction| local.open.needs(*direction)) {
         let exposure = shores.exposure(at, direction, node.water, finest)?;
