@@ -113,9 +113,9 @@ impl App {
     /// Height of what the eye stays [`LOWEST_M`] above, metres: the ground or the resting water below it, for an eye in the water or at its surface
     /// what lets it come near the bed. While nobody knows an eye stays where its link put it.
     fn ground_m(&mut self) -> f64 {
-        let Camera { lat, lon, altitude_m, .. } = self.state.camera;
+        let altitude_m = self.state.camera.altitude_m;
         let in_water = altitude_m < 0.0 || (self.state.ride && altitude_m < LOWEST_M);
-        match self.drawing.renderer.world_mut().sample_resident(lat, lon) {
+        match self.drawing.renderer.place_below(&self.state.camera) {
             Some(sample) if sample.class != WaterClass::Ocean => sample.elevation_m,
             Some(sample) if in_water => sample.elevation_m + OVER_BED_M - LOWEST_M,
             None if in_water => altitude_m - LOWEST_M,

@@ -20,6 +20,9 @@ use crate::scene::view::state::ViewState;
 /// picture and of a still one; a step that has been begun takes as long again.
 const WORK_S: [f64; 2] = [0.003, 0.03];
 
+/// Eyes below this are told at what level inland water lies, m: a picture from higher shows no such step, and needs no more tiles than its own.
+const LEVELS_FROM_M: f64 = 50_000.0;
+
 impl Renderer {
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
@@ -63,10 +66,20 @@ impl Renderer {
         self.world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(9_277.0)
     }
 
+    /// What is below an eye: from afar as the tiles at hand have it, near with the level of inland water there, whose tiles are asked for.
+    pub fn place_below(&mut self, eye: &Camera) -> Option<Sample> {
+        let (lat, lon) = (eye.lat, eye.lon);
+        if eye.altitude_m < LEVELS_FROM_M {
+            self.world.sample_resident(lat, lon)
+        } else {
+            self.world.sample_passing(lat, lon)
+        }
+    }
+
     /// Where the eye of a frame is.
     pub(super) fn side(&mut self, frame: &Frame) -> Side {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
-        let place = self.world.sample_resident(lat, lon);
+        let place = self.place_below(&frame.camera);
         let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
         let blends = self.radiance_format == Radiance::Half.format();
         Side::of(frame, place.as_ref(), shore.as_ref(), [blends, self.gpu.software])
@@ -82,7 +95,7 @@ impl Renderer {
     pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
         let asked = state.camera;
         self.world.set_beach_slope(state.settings.surf.beach_slope);
-        let Some(place) = self.world.sample_resident(asked.lat, asked.lon) else {
+        let Some(place) = self.place_below(&asked) else {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {
