@@ -156,8 +156,8 @@ mod tests {
         }
         // A lake is found where it is, and nowhere else.
         let lake = |at: usize| packed([-900, if at == 100 * TILE_TEXELS + 40 { 7 } else { -500 }], 0);
-        let range = TileRange::new(&TileTexels::Water((0..TILE_TEXELS * TILE_TEXELS).map(lake).collect()));
-        let steps = |first, last| range.inland(first, last) * STEPS_PER_TEXEL;
+        let water = TileRange::new(&TileTexels::Water((0..TILE_TEXELS * TILE_TEXELS).map(lake).collect()));
+        let steps = |first, last| water.inland(first, last) * STEPS_PER_TEXEL;
         assert_eq!([steps([0; 2], [255; 2]), steps([39, 99], [41, 101]), steps([40, 100], [40, 100])], [7.0; 3]);
         assert_eq!([steps([0; 2], [31, 255]), steps([48, 0], [300, 255]), steps([-9, 112], [255, 255])], [-500.0; 3]);
         // The whole tile's is tight: rounded to a metre.
