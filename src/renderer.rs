@@ -95,6 +95,8 @@ pub struct Renderer {
     /// Map tiles of the ground; `None` from space.
     visible: Option<Vec<DrawnTile>>,
     complete: bool,
+    /// Whether the last eye that was asked for knows the level of the water below it.
+    knows_ground: bool,
     stages: Stages,
 }
 
@@ -162,6 +164,7 @@ impl Renderer {
             dispatches: 0,
             visible: None,
             complete: false,
+            knows_ground: true,
             stages: Stages::default(),
             gpu,
             world,

@@ -31,7 +31,9 @@ impl Renderer {
         self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
         let is_sheltered = self.shelter(frame, work_s);
-        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_sheltered;
+        // An eye that does not know yet at what level the lake below it lies is not where it will be.
+        let is_settled = is_sheltered && self.knows_ground;
+        self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_settled;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
         self.visible =
@@ -95,7 +97,10 @@ impl Renderer {
     pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
         let asked = state.camera;
         self.world.set_beach_slope(state.settings.surf.beach_slope);
-        let Some(place) = self.place_below(&asked) else {
+        let place = self.place_below(&asked);
+        self.knows_ground =
+            place.is_none() || asked.altitude_m >= LEVELS_FROM_M || self.world.knows_level(asked.lat, asked.lon);
+        let Some(place) = place else {
             return self.seas.eye(state, unix_seconds);
         };
         let Some(depth_m) = place.depth_m else {

@@ -201,6 +201,12 @@ impl World {
         stands
     }
 
+    /// Whether the last of [`World::stands_now`]'s answers to who may ask was about this place, and was no makeshift while tiles are on their way.
+    pub fn knows_level(&self, lat: f64, lon: f64) -> bool {
+        Projection::for_latitude(lat) != Projection::Mercator
+            || self.levels.last[1].is_some_and(|(at, ..)| at == map_from_lat_lon(Projection::Mercator, lat, lon))
+    }
+
     /// The lines of the deepest tile there is at a place down to level `z`; `None` while it is on its way.
     fn lines(&mut self, z: u8, at: (f64, f64), look: Look) -> Result<Option<(TileId, Option<Arc<Inland>>)>> {
         let stored = self.slot(Layer::Water, Projection::Mercator).archive().map(|archive| archive.header().max_zoom);

@@ -14,3 +14,6 @@ export const IN_THE_WATER = `#view=24.31,-76.561,-1.5,0,80&clouds=0&wind=4@90${S
 export const AT_THE_SURFACE = `#view=24.31,-76.561,0,120,88&ride=1&clouds=0&wind=3@90${STILL}`;
 /** Open Atlantic, 12 m above the water, looking west over the waves. */
 export const AT_SEA = `#view=35,-30,12,270,80&clouds=0&wind=14@250${STILL}`;
+
+/** Over a lake that no table knows: its level, over which the eye stays, comes with tiles of its own. */
+export const OVER_A_LAKE = `#view=45.9,6.15,40,150,84&bft=3&clouds=0${STILL}`;
