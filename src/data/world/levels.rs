@@ -28,6 +28,8 @@ use std::sync::Arc;
 
 /// Deepest level of the tiles whose lines tell of a lake.
 pub const LINES_LEVEL: u8 = 8;
+/// By coarser tiles, as nodes about an eye in space look at, the table alone tells: an opening view loads no more for lakes that it shows as points.
+const LINES_FROM: u8 = 4;
 /// A lake's line is taken from so many levels below the coarsest that shows it.
 const FINER: u8 = 3;
 /// Lakes farther from a place than this tell nothing of it, m; as far as nodes look for water, and more.
@@ -151,6 +153,9 @@ impl World {
     pub fn stands_by(&mut self, z: u8, at: (f64, f64), look: Look) -> Result<Option<Option<Stands>>> {
         let (lat, lon) = lat_lon_from_map(Projection::Mercator, at.0, at.1);
         let of_table = lakes::at(lat, lon).map(Stands::of);
+        if z < LINES_FROM {
+            return Ok(Some(of_table));
+        }
         let Some((id, inland)) = self.lines(z, at, look)? else { return Ok(None) };
         let Some(inland) = inland else { return Ok(Some(of_table)) };
         match inland.nearest([at.0, at.1], EQUATOR_M * cos_lat(at.1), REACH_M) {
