@@ -10,6 +10,9 @@
 //! the shore counts, and of these the 20th percentile.
 //! A river has no level of its own but falls along its course: near a place it is about as low as the lowest cells that it passes within
 //! [`RIVER_REACHES_TEXELS`], smoothly.
+//!
+//! It is long, but one thing: the way of the drawing above from a place to a level, in the order in which it goes; what is remembered of it stands
+//! before, the terrain's cells and what they tell after.
 
 use super::{Look, World};
 use crate::data::TileTexels;
