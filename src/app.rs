@@ -115,7 +115,9 @@ impl App {
     fn ground_m(&mut self) -> f64 {
         let altitude_m = self.state.camera.altitude_m;
         let in_water = altitude_m < 0.0 || (self.state.ride && altitude_m < LOWEST_M);
-        match self.drawing.renderer.place_below(&self.state.camera) {
+        let renderer = &mut self.drawing.renderer;
+        // An eye that the terrain about a lake has lifted would not come down again.
+        match renderer.place_below(&self.state.camera).filter(|_| renderer.knows_level_below(&self.state.camera)) {
             Some(sample) if sample.class != WaterClass::Ocean => sample.elevation_m,
             Some(sample) if in_water => sample.elevation_m + OVER_BED_M - LOWEST_M,
             None if in_water => altitude_m - LOWEST_M,

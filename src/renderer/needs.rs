@@ -78,6 +78,11 @@ impl Renderer {
         }
     }
 
+    /// Whether what [`Renderer::place_below`] last told of an eye has the level of the water there, as far as that matters.
+    pub fn knows_level_below(&self, eye: &Camera) -> bool {
+        eye.altitude_m >= LEVELS_FROM_M || self.world.knows_level(eye.lat, eye.lon)
+    }
+
     /// Where the eye of a frame is.
     pub(super) fn side(&mut self, frame: &Frame) -> Side {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
@@ -98,8 +103,7 @@ impl Renderer {
         let asked = state.camera;
         self.world.set_beach_slope(state.settings.surf.beach_slope);
         let place = self.place_below(&asked);
-        self.knows_ground =
-            place.is_none() || asked.altitude_m >= LEVELS_FROM_M || self.world.knows_level(asked.lat, asked.lon);
+        self.knows_ground = place.is_none() || self.knows_level_below(&asked);
         let Some(place) = place else {
             return self.seas.eye(state, unix_seconds);
         };
