@@ -24,8 +24,12 @@ fn page_slot(square: u32, level: u32, tile: vec2u) -> u32 {
     return ((square * PAGE_LEVELS + level) * PAGE_WINDOW + (tile.y & 63u)) * PAGE_WINDOW + (tile.x & 63u);
 }
 
-// The pages that serve for a point at a level.
-fn pages_at(point: MapPoint, level: u32) -> Pages {
+// The deepest level of which a map has tiles.
+fn deepest_level(square: u32) -> u32 { return (frame.deepest_pages >> (8u * square)) & 0xffu; }
+
+// The pages that serve for a point at a level, or at the deepest that has tiles.
+fn pages_at(point: MapPoint, wanted: u32) -> Pages {
+    let level = min(wanted, deepest_level(point.square));
     // A shift by 32 would be none.
     let tile = (point.at >> vec2u(32u - max(level, 1u))) >> vec2u(select(0u, 1u, level == 0u));
     let words = pages[page_slot(point.square, level, tile)];
@@ -40,8 +44,7 @@ fn reference_fixed(square: u32) -> vec2u {
 // The finest level whose texels are no smaller than `footprint`, that has tiles, and whose page table reaches the place.
 fn level_for(point: MapPoint, footprint: Metres, cos_lat: f32) -> u32 {
     let whole = select(POLAR_EXTENT * 4.0 * 6378137.0, EARTH_TURN * cos_lat, point.square == MERCATOR) / f32(TILE_TEXELS);
-    let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
-    let level = u32(clamp(ceil(log2(whole / max(footprint, 0.01))), 0.0, f32(deepest)));
+    let level = u32(clamp(ceil(log2(whole / max(footprint, 0.01))), 0.0, f32(deepest_level(point.square))));
     let away = point.at - reference_fixed(point.square);
     let distance = vec2u(min(away.x, 0u - away.x), min(away.y, 0u - away.y));
     let reach = max(distance.x, distance.y) | 1u;

@@ -52,8 +52,7 @@ fn scoured_coast(point: MapPoint, sin_lat: f32) -> f32 {
 }
 
 fn country_at(point: MapPoint, sin_lat: f32) -> Country {
-    let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
-    let page = pages_at(point, min(RUGGED_LEVEL, deepest)).terrain;
+    let page = pages_at(point, RUGGED_LEVEL).terrain;
     let texel = texel_metres(point, f32(page.level), sin_lat);
     let data = weighed_land(neighbours(false, point, page));
     let slope = data.deviation / (0.5 * texel);
@@ -62,10 +61,10 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let ice = max(smoothstep(0.866, 0.9, -sin_lat), high * smoothstep(0.85, 0.92, sin_lat));
     let least = RUGGED_LEAST_SLOPE + rounding + RUGGED_ICE_SLOPE * ice;
 
-    let shore_page = pages_at(point, min(RUGGED_SHORE_LEVEL, deepest)).water;
+    let shore_page = pages_at(point, RUGGED_SHORE_LEVEL).water;
     let shore_texel = texel_metres(point, f32(shore_page.level), sin_lat);
     let shore = weighed(neighbours(true, point, shore_page));
-    let coarse_page = pages_at(point, min(RUGGED_ISLAND_LEVEL, deepest)).terrain;
+    let coarse_page = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
     let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
     let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
     let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * high_latitude(sin_lat) * deep_shelf(point);

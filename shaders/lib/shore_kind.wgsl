@@ -31,9 +31,8 @@ const SANDY_SHORE = ShoreKind(0.0, 0.0, 0.0);
 // once.
 fn shore_kind(point: MapPoint, sin_lat: f32, grid: vec3f, ocean_shore: Metres, reach: Metres) -> ShoreKind {
     let is_far = abs(ocean_shore) > reach || point.square != MERCATOR;
-    let deepest = (frame.deepest_pages >> (8u * point.square)) & 0xffu;
-    let here = pages_at(point, min(KIND_LEVEL, deepest));
-    let wide_page = pages_at(point, min(KIND_WIDE_LEVEL, deepest)).water;
+    let here = pages_at(point, KIND_LEVEL);
+    let wide_page = pages_at(point, KIND_WIDE_LEVEL).water;
     let land_page = pages_at(point, KIND_LAND_LEVEL).terrain;
     let near = nine_texels(point, here.water);
     let wide = nine_texels(point, wide_page);

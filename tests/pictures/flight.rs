@@ -106,6 +106,19 @@ fn a_frame_does_not_depend_on_those_before_it() {
     assert!(std::fs::read(&frame).unwrap() == first, "the foam differs");
 }
 
+/// Over a lake finer tiles come than a picture of its continent wants: had they a say in it, what was seen before would.
+#[test]
+fn a_picture_does_not_depend_on_what_was_seen_before() {
+    let folder = folder("from-a-lake");
+    let out = folder.to_str().unwrap();
+    let [lake, continent] = ["45.9,6.15,40,150,84", "38,-2,3000000"]
+        .map(|view| format!("#view={view}&clouds=0&rate=0&time=2026-11-20T12:00:00Z"));
+    printed(&["--flight", &lake, &continent, "--frames", "2", "--size", "320x180", "-o", out]);
+    let fresh = folder.with_extension("png");
+    printed(&["--state", &continent, "--size", "320x180", "-o", fresh.to_str().unwrap()]);
+    assert!(std::fs::read(folder.join("00001.png")).unwrap() == std::fs::read(fresh).unwrap());
+}
+
 #[test]
 fn what_cannot_be_a_flight_is_refused() {
     let folder = folder("no-flight");

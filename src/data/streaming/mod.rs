@@ -35,6 +35,8 @@ pub struct Streaming {
     layers: [Residency; Layer::COUNT],
     frame: u64,
     changed: bool,
+    /// What the last frame wanted.
+    wanted: Vec<TileId>,
     /// Deepest levels of the archives by layer and map; 0 before they are open.
     deepest: [[u8; 3]; Layer::COUNT],
     /// Whether elevations are so coarse that relief is made up between them.
@@ -50,6 +52,7 @@ impl Default for Streaming {
             layers,
             frame: 0,
             changed: true,
+            wanted: Vec::new(),
             deepest: [[0; 3]; Layer::COUNT],
             is_coarse: true,
             pages: PageTable::new(),
@@ -115,7 +118,9 @@ impl Streaming {
             }
         }
         world.send();
-        self.pages.update(&self.layers, std::mem::take(&mut self.changed), lat, lon);
+        self.changed |= wanted != self.wanted;
+        self.wanted = wanted;
+        self.pages.update((&self.layers, self.frame), std::mem::take(&mut self.changed), lat, lon);
         complete && world.settled()
     }
 

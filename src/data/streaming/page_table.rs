@@ -3,7 +3,7 @@
 //! A level of a map has at most [`PAGE_WINDOW`]² entries: those of all its tiles, or of the tiles around the eye's own, each at its
 //! column and row modulo [`PAGE_WINDOW`]. An entry holds 16 bits for each layer: the slot in the low 12 and the level of the tile in it in the
 //! high 4; terrain in the low half of the first word, water in its high half, imagery in the low half of the second one. Levels below the
-//! deepest tile at hand have no entries: shaders do not ask for them.
+//! deepest of these tiles have no entries: shaders do not ask for them.
 
 use super::residency::Residency;
 use crate::data::tile::{Layer, MapPoint, Projection};
@@ -28,7 +28,7 @@ pub struct PageTable {
     /// Tables (map · [`PAGE_LEVELS`] + level) that have changed since they were last taken.
     changed: Vec<usize>,
     corners: Option<Corners>,
-    /// The deepest level of any tile at hand, by map.
+    /// The deepest level of any tile that is wanted and at hand, by map.
     deepest: [u8; 3],
 }
 
@@ -52,14 +52,21 @@ impl PageTable {
             .map(|table| (table, &entries[table * PAGE_ENTRIES..][..PAGE_ENTRIES]))
     }
 
-    /// Brings the tables up to date with the eye's place (radians), and with the tiles where these have `changed`.
-    pub(super) fn update(&mut self, layers: &[Residency; Layer::COUNT], changed: bool, lat: f64, lon: f64) {
+    /// Brings the tables up to date with the eye's place (radians), and with the tiles that a frame wants where these have `changed`. Others at
+    /// hand do not count: what was seen before would show.
+    pub(super) fn update(
+        &mut self,
+        (layers, frame): (&[Residency; Layer::COUNT], u64),
+        changed: bool,
+        lat: f64,
+        lon: f64,
+    ) {
         let corners = corners(lat, lon);
         let last = self.corners.replace(corners);
         for (map, projection) in Projection::ALL.into_iter().enumerate() {
             let tiles = || {
                 let all = layers.iter().enumerate();
-                let all = all.flat_map(|(layer, tiles)| tiles.slots().map(move |(id, slot)| (layer, id, slot)));
+                let all = all.flat_map(|(layer, tiles)| tiles.wanted(frame).map(move |(id, slot)| (layer, id, slot)));
                 all.filter(|(_, id, _)| id.projection == projection)
             };
             if changed {
@@ -155,6 +162,8 @@ mod tests {
     use std::collections::HashMap;
     use std::sync::Arc;
 
+    const NOW: u64 = 1;
+
     /// The entry's definition: the finest tile at hand over a tile.
     fn wanted(slots: &[HashMap<TileId, u32>; Layer::COUNT], id: TileId) -> [u32; 2] {
         let bits = |slots: &HashMap<TileId, u32>| {
@@ -182,19 +191,20 @@ mod tests {
             let here = MapPoint::from_lat_lon(lat, lon);
             for (layer, deepest) in [(0, 5), (1, 9), (2, 4)] {
                 let come = lineage(here.tile(if step % 2 == 0 { deepest } else { 3 }));
-                for id in come.filter(|id| !layers[layer].slots().any(|(other, _)| other == *id)).collect::<Vec<_>>() {
-                    layers[layer].receive(id, &texels[layer], 1).unwrap();
+                for id in come.filter(|id| layers[layer].want(*id, NOW)).collect::<Vec<_>>() {
+                    layers[layer].receive(id, &texels[layer], NOW).unwrap();
+                    layers[layer].want(id, NOW);
                 }
             }
             for changed in [true, false] {
                 // The second time the eye alone has moved.
                 let lon = if changed { lon } else { lon + 0.02 };
-                pages.update(&layers, changed, lat, lon);
+                pages.update((&layers, NOW), changed, lat, lon);
                 for (table, entries) in pages.take_changed() {
                     on_gpu[table * PAGE_ENTRIES..][..PAGE_ENTRIES].copy_from_slice(entries);
                     sent += 1;
                 }
-                let slots = layers.each_ref().map(|layer| layer.slots().collect());
+                let slots = layers.each_ref().map(|layer| layer.wanted(NOW).collect());
                 for (map, projection) in Projection::ALL.into_iter().enumerate() {
                     for z in 0..=pages.deepest[map] {
                         let eye = if map == 0 || here.projection == projection {

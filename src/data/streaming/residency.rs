@@ -64,7 +64,8 @@ impl Residency {
         let slot = self.free.pop().or_else(|| self.evict(now))?;
         let range = TileRange::new(texels);
         let whole = self.metres(id, id.z, range.whole());
-        let resident = Resident { slot, last_used: now, range, whole };
+        // Wanted by no frame yet, and by none if it was only looked at; but not to be driven out by the next that comes.
+        let resident = Resident { slot, last_used: now - 1, range, whole };
         if resident.shows_inland(id, id.z) {
             self.inland.extend(super::lineage(id));
         }
@@ -88,9 +89,10 @@ impl Residency {
         self.failed.insert(id, now_s() + RETRY_S);
     }
 
-    /// Resident tiles and their slots.
-    pub(super) fn slots(&self) -> impl Iterator<Item = (TileId, u32)> {
-        self.resident.iter().map(|(id, resident)| (*id, resident.slot))
+    /// Resident tiles that are wanted in frame `now`, roots among them in any, and their slots.
+    pub(super) fn wanted(&self, now: u64) -> impl Iterator<Item = (TileId, u32)> {
+        let wanted = self.resident.iter().filter(move |(id, resident)| id.z == 0 || resident.last_used == now);
+        wanted.map(|(id, resident)| (*id, resident.slot))
     }
 
     /// Whether nothing finer of `id`, down to level `deepest`, has still to come: the tile itself or, where the archive has none,
