@@ -1,6 +1,6 @@
 // Terrain, water and imagery tiles: an atlas of 256-texel layers each, found through a table of pages, one entry for all. The atlas of
 // imagery is bound by lib/imagery.wgsl, for whom needs it.
-// A page names the finest resident tile over a place; a missing tile is its parent, magnified.
+// A page names the finest tile over a place that the frame wants and has; a missing tile is its parent, magnified.
 #import map
 
 const TILE_BITS = 8u;

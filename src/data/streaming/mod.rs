@@ -35,8 +35,8 @@ pub struct Streaming {
     layers: [Residency; Layer::COUNT],
     frame: u64,
     changed: bool,
-    /// What the last frame wanted.
-    wanted: Vec<TileId>,
+    /// What of the last frame's tiles there may be, by layer.
+    wanted: [Vec<TileId>; Layer::COUNT],
     /// Deepest levels of the archives by layer and map; 0 before they are open.
     deepest: [[u8; 3]; Layer::COUNT],
     /// Whether elevations are so coarse that relief is made up between them.
@@ -52,7 +52,7 @@ impl Default for Streaming {
             layers,
             frame: 0,
             changed: true,
-            wanted: Vec::new(),
+            wanted: Default::default(),
             deepest: [[0; 3]; Layer::COUNT],
             is_coarse: true,
             pages: PageTable::new(),
@@ -110,17 +110,21 @@ impl Streaming {
             });
             // The coarse ones first; what the atlas cannot hold is shown through its parents.
             let there: Vec<TileId> = there.take(MOST_WANTED).copied().collect();
-            for id in there {
-                if residency.want(id, self.frame) {
-                    world.request(layer, id);
+            for id in &there {
+                if residency.want(*id, self.frame) {
+                    world.request(layer, *id);
                     complete = false;
                 }
             }
+            self.changed |= there != self.wanted[layer as usize];
+            self.wanted[layer as usize] = there;
         }
         world.send();
-        self.changed |= wanted != self.wanted;
-        self.wanted = wanted;
-        self.pages.update((&self.layers, self.frame), std::mem::take(&mut self.changed), lat, lon);
+        let changed = std::mem::take(&mut self.changed);
+        if changed {
+            self.layers.iter_mut().for_each(|tiles| tiles.show(self.frame));
+        }
+        self.pages.update(&self.layers, changed, lat, lon);
         complete && world.settled()
     }
 

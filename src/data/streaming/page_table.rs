@@ -52,21 +52,14 @@ impl PageTable {
             .map(|table| (table, &entries[table * PAGE_ENTRIES..][..PAGE_ENTRIES]))
     }
 
-    /// Brings the tables up to date with the eye's place (radians), and with the tiles that a frame wants where these have `changed`. Others at
-    /// hand do not count: what was seen before would show.
-    pub(super) fn update(
-        &mut self,
-        (layers, frame): (&[Residency; Layer::COUNT], u64),
-        changed: bool,
-        lat: f64,
-        lon: f64,
-    ) {
+    /// Brings the tables up to date with the eye's place (radians), and with the tiles that are shown where these have `changed`.
+    pub(super) fn update(&mut self, layers: &[Residency; Layer::COUNT], changed: bool, lat: f64, lon: f64) {
         let corners = corners(lat, lon);
         let last = self.corners.replace(corners);
         for (map, projection) in Projection::ALL.into_iter().enumerate() {
             let tiles = || {
                 let all = layers.iter().enumerate();
-                let all = all.flat_map(|(layer, tiles)| tiles.wanted(frame).map(move |(id, slot)| (layer, id, slot)));
+                let all = all.flat_map(|(layer, tiles)| tiles.slots().map(move |(id, slot)| (layer, id, slot)));
                 all.filter(|(_, id, _)| id.projection == projection)
             };
             if changed {
@@ -162,9 +155,7 @@ mod tests {
     use std::collections::HashMap;
     use std::sync::Arc;
 
-    const NOW: u64 = 1;
-
-    /// The entry's definition: the finest tile at hand over a tile.
+    /// The entry's definition: the finest tile that is shown over a tile.
     fn wanted(slots: &[HashMap<TileId, u32>; Layer::COUNT], id: TileId) -> [u32; 2] {
         let bits = |slots: &HashMap<TileId, u32>| {
             lineage(id).find_map(|tile| slots.get(&tile).map(|slot| slot | u32::from(tile.z) << 12)).unwrap_or(0)
@@ -173,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn every_entry_names_the_finest_tile_at_hand_wherever_the_eye_goes() {
+    fn every_entry_names_the_finest_tile_that_is_wanted_wherever_the_eye_goes() {
         let mut layers = Layer::ALL.map(|layer| Residency::new(layer, 64));
         let texels = [
             TileTexels::Terrain(vec![0.0; TILE_TEXELS * TILE_TEXELS]),
@@ -183,28 +174,35 @@ mod tests {
         let texels = texels.map(Arc::new);
         let mut pages = PageTable::new();
         let mut on_gpu = pages.entries.clone();
-        // Across the antimeridian, along a meridian and to both poles; tiles come on the way.
+        // Across the antimeridian, along a meridian and to both poles; tiles come on the way, and others are wanted no more.
         let places =
             [[10.0, 179.9f64], [10.0, -179.8], [10.3, -179.8], [58.0, 12.0], [84.5, 12.0], [-89.0, 3.0], [-80.0, 3.0]];
         let mut sent = 0;
         for (step, [lat, lon]) in places.map(|place| place.map(f64::to_radians)).into_iter().enumerate() {
             let here = MapPoint::from_lat_lon(lat, lon);
+            let now = 1 + step as u64;
             for (layer, deepest) in [(0, 5), (1, 9), (2, 4)] {
-                let come = lineage(here.tile(if step % 2 == 0 { deepest } else { 3 }));
-                for id in come.filter(|id| layers[layer].want(*id, NOW)).collect::<Vec<_>>() {
-                    layers[layer].receive(id, &texels[layer], NOW).unwrap();
-                    layers[layer].want(id, NOW);
+                let wanted: Vec<_> = lineage(here.tile(if step % 2 == 0 { deepest } else { 3 })).collect();
+                for id in &wanted {
+                    if layers[layer].want(*id, now) {
+                        layers[layer].receive(*id, &texels[layer], now).unwrap();
+                        layers[layer].want(*id, now);
+                    }
                 }
+                layers[layer].show(now);
+                let shown: Vec<_> = layers[layer].slots().map(|(id, _)| id).filter(|id| id.z > 0).collect();
+                assert_eq!(shown.len(), wanted.len() - 1, "{shown:?}");
+                assert!(shown.iter().all(|id| wanted.contains(id)));
             }
             for changed in [true, false] {
                 // The second time the eye alone has moved.
                 let lon = if changed { lon } else { lon + 0.02 };
-                pages.update((&layers, NOW), changed, lat, lon);
+                pages.update(&layers, changed, lat, lon);
                 for (table, entries) in pages.take_changed() {
                     on_gpu[table * PAGE_ENTRIES..][..PAGE_ENTRIES].copy_from_slice(entries);
                     sent += 1;
                 }
-                let slots = layers.each_ref().map(|layer| layer.wanted(NOW).collect());
+                let slots = layers.each_ref().map(|layer| layer.slots().collect());
                 for (map, projection) in Projection::ALL.into_iter().enumerate() {
                     for z in 0..=pages.deepest[map] {
                         let eye = if map == 0 || here.projection == projection {

@@ -24,9 +24,11 @@ struct Resident {
 /// The tiles of one layer.
 pub(super) struct Residency {
     resident: HashMap<TileId, Resident>,
-    /// Of every tile that is resident or has resident descendants: the range of all of these, metres.
+    /// The frame whose tiles shaders find.
+    shown: u64,
+    /// Of every tile that shaders find or that has such descendants: the range of all of these, metres.
     at_and_below: HashMap<TileId, Range>,
-    /// Tiles that show an inland water, or have resident descendants that do.
+    /// Tiles that show an inland water, or have descendants that do and that shaders find.
     inland: HashSet<TileId>,
     /// Tiles that the archive lacks: their parents serve.
     absent: HashSet<TileId>,
@@ -41,6 +43,7 @@ impl Residency {
     pub(super) fn new(layer: Layer, slots: u32) -> Self {
         Self {
             resident: HashMap::new(),
+            shown: 0,
             at_and_below: HashMap::new(),
             inland: HashSet::new(),
             absent: HashSet::new(),
@@ -66,11 +69,7 @@ impl Residency {
         let whole = self.metres(id, id.z, range.whole());
         // Wanted by no frame yet, and by none if it was only looked at; but not to be driven out by the next that comes.
         let resident = Resident { slot, last_used: now - 1, range, whole };
-        if resident.shows_inland(id, id.z) {
-            self.inland.extend(super::lineage(id));
-        }
         self.resident.insert(id, resident);
-        widen(&mut self.at_and_below, id, whole);
         Some(slot)
     }
 
@@ -89,32 +88,56 @@ impl Residency {
         self.failed.insert(id, now_s() + RETRY_S);
     }
 
-    /// Resident tiles that are wanted in frame `now`, roots among them in any, and their slots.
-    pub(super) fn wanted(&self, now: u64) -> impl Iterator<Item = (TileId, u32)> {
-        let wanted = self.resident.iter().filter(move |(id, resident)| id.z == 0 || resident.last_used == now);
-        wanted.map(|(id, resident)| (*id, resident.slot))
+    /// Shows the tiles that are wanted in frame `now`; others at hand do not count: else what was seen before would show.
+    pub(super) fn show(&mut self, now: u64) {
+        self.shown = now;
+        self.at_and_below.clear();
+        self.inland.clear();
+        for (id, resident) in &self.resident {
+            if self.shows(id, resident) {
+                widen(&mut self.at_and_below, *id, resident.whole);
+                if resident.shows_inland(*id, id.z) {
+                    self.inland.extend(super::lineage(*id));
+                }
+            }
+        }
+    }
+
+    /// Whether shaders find a tile: roots always.
+    fn shows(&self, id: &TileId, resident: &Resident) -> bool {
+        id.z == 0 || resident.last_used >= self.shown
+    }
+
+    /// A tile that shaders find.
+    fn shown(&self, id: &TileId) -> Option<&Resident> {
+        self.resident.get(id).filter(|resident| self.shows(id, resident))
+    }
+
+    /// Tiles that shaders find, and their slots.
+    pub(super) fn slots(&self) -> impl Iterator<Item = (TileId, u32)> {
+        let shown = self.resident.iter().filter(|(id, resident)| self.shows(id, resident));
+        shown.map(|(id, resident)| (*id, resident.slot))
     }
 
     /// Whether nothing finer of `id`, down to level `deepest`, has still to come: the tile itself or, where the archive has none,
     /// the one that serves for it is resident.
     pub(super) fn is_known(&self, id: TileId, deepest: u8) -> bool {
         let mut lineage = super::lineage(id).skip_while(|id| id.z > deepest);
-        lineage.find(|id| !self.absent.contains(id)).is_some_and(|id| self.resident.contains_key(&id))
+        lineage.find(|id| !self.absent.contains(id)).is_some_and(|id| self.shown(&id).is_some())
     }
 
     /// Metres that shaders may find inside `id` when they look at level `coarsest` or a finer one: of elevation, or of distance to
     /// the ocean's shore. `None` before the first tile.
     pub(super) fn range(&self, id: TileId, coarsest: u8) -> Option<Range> {
-        let serving = super::lineage(id).skip_while(|id| id.z > coarsest).find(|id| self.resident.contains_key(id))?;
+        let serving = super::lineage(id).skip_while(|id| id.z > coarsest).find(|id| self.shown(id).is_some())?;
         let above = super::lineage(id).skip(1).take_while(|tile| tile.z >= serving.z);
-        let above =
-            above.filter_map(|tile| Some(self.metres(id, tile.z, self.resident.get(&tile)?.range_in(id, tile.z))));
+        let above = above.filter_map(|tile| Some(self.metres(id, tile.z, self.shown(&tile)?.range_in(id, tile.z))));
         above.chain(self.at_and_below.get(&id).copied()).reduce(Range::union)
     }
 
     /// Whether a pixel in `id` may show some of a lake or a river, as far as the tile tells that serves for it, and those below it.
     pub(super) fn has_inland(&self, id: TileId) -> bool {
-        let serving = super::lineage(id).find_map(|tile| Some((tile.z, self.resident.get(&tile)?)));
+        let serving = super::lineage(id).find_map(|tile| Some((tile.z, self.shown(&tile)?)));
         self.inland.contains(&id) || serving.is_none_or(|(z, resident)| resident.shows_inland(id, z))
     }
 
@@ -136,12 +159,7 @@ impl Residency {
     fn evict(&mut self, now: u64) -> Option<u32> {
         let old = |(id, r): &(&TileId, &Resident)| id.z > 0 && r.last_used + 1 < now;
         let id = *self.resident.iter().filter(old).min_by_key(|(_, r)| r.last_used)?.0;
-        let slot = self.resident.remove(&id).map(|r| r.slot);
-        self.at_and_below.clear();
-        self.resident.iter().for_each(|(id, resident)| widen(&mut self.at_and_below, *id, resident.whole));
-        let inland = self.resident.iter().filter(|(id, resident)| resident.shows_inland(**id, id.z));
-        self.inland = inland.flat_map(|(id, _)| super::lineage(*id)).collect();
-        slot
+        self.resident.remove(&id).map(|r| r.slot)
     }
 }
 
