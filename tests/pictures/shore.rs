@@ -16,14 +16,14 @@ fn samples_by_a_shore_are_what_is_drawn() {
     let (mut highest, mut shallowest, mut worst, mut breaking) = (0.0f64, f64::INFINITY, [0.0f64; 2], 0);
     // From the beach of Holland to 860 m before it, at instants that show crests and troughs.
     for (place, second) in [
-        [52.0963, 4.2562],
+        [52.0963, 4.2560],
         [52.0965, 4.2557],
         [52.0967, 4.2553],
         [52.0977, 4.2530],
         [52.0990, 4.2490],
         [52.1005, 4.2450],
-        [52.3720, 4.5229],
-        [52.3722, 4.5229],
+        [52.3720, 4.5223],
+        [52.3722, 4.5225],
         [52.3722, 4.5222],
         [52.3722, 4.5210],
     ]

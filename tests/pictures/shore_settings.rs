@@ -9,7 +9,7 @@ const SIZE: [u32; 2] = [128, 96];
 fn layer(renderer: &mut Renderer, settings: &str, layer: LayerName) -> Vec<f64> {
     // Off Portugal, where the wind blows on to a straight beach.
     let link =
-        format!("#view=39.62,-9.083,700,0,0&wind=13@285&clouds=0&water=coastal{settings}&time=2026-06-21T12:00:00Z");
+        format!("#view=39.62,-9.0831,700,0,0&wind=13@285&clouds=0&water=coastal{settings}&time=2026-06-21T12:00:00Z");
     render::measure(renderer, &render::parse_state(&link).unwrap(), SIZE, layer).unwrap().values
 }
 

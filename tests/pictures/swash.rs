@@ -16,7 +16,7 @@ const PIXEL_M: f64 = 0.52;
 
 fn layer(renderer: &mut Renderer, settings: &str, layer: LayerName) -> Vec<f64> {
     // A pixel is half a metre, the sea on the left.
-    let link = format!("#view=52.1,4.2626,60,0,0&clouds=0&surf=1{settings}");
+    let link = format!("#view=52.1,4.2619,60,0,0&clouds=0&surf=1{settings}");
     render::measure(renderer, &render::parse_state(&link).unwrap(), SIZE, layer).unwrap().values
 }
 
@@ -44,8 +44,8 @@ fn waves_run_up_a_beach_and_leave_it_wet() {
     };
     // By Stockdon a fiftieth of the waves of this sea come so far up the beach, at the trains' mean frequency. Sand is damp to 0.8 of that, dry from
     // 1.1 times on, and nothing grows before 1.6 times.
-    let place = World::open(DATA).sample_blocking(f64::to_radians(52.1), f64::to_radians(4.2626)).unwrap();
-    let tables = SeaTables::of(&render::parse_state(&format!("#view=52.1,4.2626,60,0,0{}", sea(0))).unwrap().settings);
+    let place = World::open(DATA).sample_blocking(f64::to_radians(52.1), f64::to_radians(4.2619)).unwrap();
+    let tables = SeaTables::of(&render::parse_state(&format!("#view=52.1,4.2619,60,0,0{}", sea(0))).unwrap().settings);
     let omega = trains(&tables).unwrap().iter().map(|train| train.omega / TRAINS as f64).sum();
     let up_m = RunUp::new(tables.sea.hs_m, omega, place.beach).fiftieth() / place.beach;
     println!("{:.2} m, {:.2} s, slope {:.4}: {up_m:.1} m up", tables.sea.hs_m, TAU / omega, place.beach);

@@ -1,4 +1,7 @@
-//! Shores of deep tiles are smooth curves through the points of their polygons, which [`Bends`] then make ragged.
+//! Shores of deep tiles are smooth curves by the points of their polygons, which [`Bends`] then make ragged.
+//!
+//! The points of most polygons are the corners of a raster's texels, of 6 seconds of arc: a straight beach is a flight of stairs, whose corners turn
+//! left and right by turns. So a point beside which the line turns the other way goes towards its two neighbours, by [`EVENS_M`] at most:
 //!
 //! ```text
 //!        A ---- handle
@@ -8,20 +11,27 @@
 //! ```
 //!
 //! Why no seam shows where two stored tiles meet: each has the shores of the other for [`BUFFER_TEXELS`] beyond the border, and what a point does to
-//! the line ends `longest` on, of which three and what a deep tile looks at fit into that buffer. A longer side is straight between
-//! its ends' curves, which do not depend on how long it is, so that it may be cut anywhere. All is then moved as the *place* says.
+//! the line ends `longest` on, of which three and what a deep tile looks at fit into that buffer wherever it is. A longer side is straight between
+//! its ends' curves, which do not depend on how long it is, so that it may be cut anywhere, and of a side farther on the direction alone counts. All is
+//! then moved as the *place* says.
 //!
-//! Why shores stay apart: a curve leaves its side by [`BULGE_M`] at most, less than what the points themselves may be off, and the move is a
-//! map of the plane onto itself without folds (see [`crate::model::ragged_shore`]), which no strait and no islet can lose.
+//! Why shores stay apart: a curve leaves its side by [`BULGE_M`] and a point its place by [`EVENS_M`] at most, together less than what the points themselves may
+//! be off, and an islet whose line turns one way all around keeps its size. The move is a map of the plane onto itself without folds (see
+//! [`crate::model::ragged_shore`]), which no strait and no islet can lose.
 
 use super::BUFFER_TEXELS;
 use super::bends::{Bends, share};
 use super::field::{MARGIN, SIDE};
 use crate::data::tile::TileId;
 use crate::model::ragged_shore::MOST_M;
+use crate::model::sea_bed::smoothstep;
 
 /// How far a handle may lead away from the side, metres; of that the curve goes three quarters at most.
 const BULGE_M: f64 = 45.0;
+/// How far a point of a flight of stairs may go, metres: as far as it takes where the raster's texels are 140 m wide.
+const EVENS_M: f64 = 50.0;
+/// Product of the sines by which a line turns one way and then the other, from which on it is such a flight.
+const STAIRS: f64 = 0.1;
 /// Length of the pieces that stand for the curve, texels: half an edge of the finest noise in it.
 const PIECE_TEXELS: f64 = 1.5;
 /// What a point does to the line ends here, source texels, at most.
@@ -31,9 +41,25 @@ const MOST_PIECES: usize = 1 << 17;
 
 type Place = [f64; 2];
 
+/// Of a line, with its direction and length.
+#[derive(Clone, Copy)]
+struct Side {
+    is_shore: bool,
+    way: (Place, f64),
+}
+
+/// Where a line passes one of its points, and in which direction, where it has one there.
+#[derive(Clone, Copy)]
+struct Corner {
+    at: Place,
+    tangent: Option<Place>,
+}
+
 /// How a tile's shores are drawn. Places are in texels of the grid.
 pub(super) struct Curves {
     bends: Bends,
+    /// How far stairs are made even, of what is said above.
+    evens: f64,
     /// What a point does to the line ends here.
     longest: f64,
     /// How far from the grid a line may lie and yet be drawn in it.
@@ -46,46 +72,84 @@ impl Curves {
     /// `None` where shores are as straight as they are stored, `down` texels of the tile being one of its source.
     pub(super) fn of(tile: TileId, down: f64) -> Option<Self> {
         let bends = Bends::of(tile)?;
-        let longest = LONGEST.min((f64::from(BUFFER_TEXELS) - MARGIN as f64 / down) / 4.0) * down;
         let narrowest_m = bends.texel_m(0.0).min(bends.texel_m(SIDE as f64));
         // A hundredth more, as texels beyond the grid are a little narrower towards the pole.
-        let pad = 1.01 * (MOST_M + BULGE_M) / narrowest_m;
-        Some(Self { bends, longest, pad, left: MOST_PIECES })
+        let pad = 1.01 * (MOST_M + BULGE_M + EVENS_M) / narrowest_m;
+        let longest = (LONGEST * down).min((f64::from(BUFFER_TEXELS) * down - pad) / 3.0);
+        Some(Self { bends, evens: 1.0, longest, pad, left: MOST_PIECES })
     }
 
-    /// From here on lines bend by octaves alone that texels of a width in metres can hold.
-    pub(super) fn smoother(&mut self, finest_m: f64) {
+    /// From here on lines are rivers, whose points are no stairs, and bend by octaves alone that texels of a width in metres can hold.
+    pub(super) fn rivers(&mut self, finest_m: f64) {
         self.bends.finest_m = finest_m;
+        self.evens = 0.0;
     }
 
     /// Draws a closed line, of whose sides `is_shore` tells the shores; `draw` takes pieces, in their order.
     pub(super) fn ring(&mut self, points: &[Place], is_shore: &[bool], mut draw: impl FnMut(Place, Place, bool)) {
         let count = points.len();
-        let Some(last) = points.last() else { return };
-        let mut from = self.moved(points[0]);
-        let mut direction = way(*last, points[0]);
+        if count == 0 {
+            return;
+        }
+        let side = |i: usize| {
+            let i = i % count;
+            Side { is_shore: is_shore[i], way: way(points[i], points[(i + 1) % count]) }
+        };
+        // The sides before a point and after it, two each.
+        let corner = |curves: &Self, i: usize| {
+            let around = [2, 1, 0].map(|before| side(i + 2 * count - before));
+            curves.corner(points[i % count], [around[0], around[1], around[2], side(i + 1)])
+        };
+        // Where the side ends that begins at a point: where it was, if nobody sees it.
+        let end = |curves: &Self, i: usize| {
+            let (a, b) = (points[i], points[(i + 1) % count]);
+            if curves.sees(a, b) { corner(curves, i + 1) } else { Corner { at: b, tangent: None } }
+        };
+        let mut from = self.moved(end(self, count - 1).at);
         for i in 0..count {
             let (a, b) = (points[i], points[(i + 1) % count]);
-            let before = (is_shore[(i + count - 1) % count], direction);
-            direction = way(a, b);
-            if !self.sees(a, b) {
-                let to = self.moved(b);
-                draw(from, to, is_shore[i]);
-                from = to;
-                continue;
-            }
-            if is_shore[i] && direction.1 > 0.0 && self.left > 0 {
-                let after = (is_shore[(i + 1) % count], way(b, points[(i + 2) % count]));
-                let tangents = [self.tangent(before, (true, direction)), self.tangent((true, direction), after)];
-                self.curve([a, b], direction, tangents, |at| {
+            let (own, last) = (side(i), end(self, i));
+            if self.sees(a, b) && own.is_shore && own.way.1 > 0.0 && self.left > 0 {
+                self.curve([a, b], own.way, [corner(self, i), last], |at| {
                     draw(from, at, true);
                     from = at;
                 });
             }
-            let to = self.moved(b);
-            draw(from, to, is_shore[i]);
+            let to = self.moved(last.at);
+            draw(from, to, own.is_shore);
             from = to;
         }
+    }
+
+    /// Where a line passes a point between the second and the third of four sides, and in which direction.
+    fn corner(&self, at: Place, sides: [Side; 4]) -> Corner {
+        let [_, before, after, _] = sides;
+        let Some(tangent) = self.tangent((before.is_shore, before.way), (after.is_shore, after.way)) else {
+            return Corner { at, tangent: None };
+        };
+        // By how much the line turns at the point before, at this one, and at the next; not where one of these is too far to be known.
+        let turn = |i: usize| {
+            let ([a, b], is_shore) = ([sides[i].way.0, sides[i + 1].way.0], sides[i].is_shore && sides[i + 1].is_shore);
+            if is_shore { a[0] * b[1] - a[1] * b[0] } else { 0.0 }
+        };
+        let known = |side: Side| 1.0 - smoothstep(0.8 * self.longest, self.longest, side.way.1);
+        let turns = [known(before) * turn(0), turn(1), known(after) * turn(2)];
+        let stairs = (-turns[1] * turns[0]).max(-turns[1] * turns[2]);
+        let share = self.evens * share(self.bends.texel_m(at[1])) * smoothstep(0.0, STAIRS, stairs);
+        if share == 0.0 {
+            return Corner { at, tangent: Some(tangent) };
+        }
+        let longest = self.longest.min(2.0 * before.way.1.min(after.way.1));
+        let [back, on] = [-before.way.1.min(longest), after.way.1.min(longest)];
+        let to = |of: [f64; 2]| [0, 1].map(|axis| of[0] * before.way.0[axis] + of[1] * after.way.0[axis]);
+        let (chord, off) = (to([-back, on]), to([0.25 * back, 0.25 * on]));
+        let chord_length = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt().max(1e-9);
+        let most = EVENS_M / self.bends.texel_m(at[1]);
+        let far = (off[0] * off[0] + off[1] * off[1]).sqrt();
+        let goes = share * if far > most { most / far } else { 1.0 };
+        let sum = [0, 1].map(|axis| (1.0 - share) * tangent[axis] + share * chord[axis] / chord_length);
+        let (tangent, _) = way([0.0; 2], sum);
+        Corner { at: [0, 1].map(|axis| at[axis] + goes * off[axis]), tangent: Some(tangent) }
     }
 
     /// Whether what is between two points may lie in the grid.
@@ -111,26 +175,27 @@ impl Curves {
         (size > 0.1 * (length + next)).then(|| sum.map(|x| x / size))
     }
 
-    /// The moved points between two, for a side with its direction and length.
+    /// The moved points between the corners of a side with its direction and length.
     fn curve(
         &mut self,
         [a, b]: [Place; 2],
         (d, length): (Place, f64),
-        tangents: [Option<Place>; 2],
+        corners: [Corner; 2],
         mut to: impl FnMut(Place),
     ) {
-        let [first, last] = tangents.map(|tangent| tangent.unwrap_or(d));
+        let [first, last] = corners.map(|corner| corner.tangent.unwrap_or(d));
+        let [from, end] = corners.map(|corner| corner.at);
         if length <= 2.0 * self.longest {
-            self.cubic([a, b], [first, last], &mut to);
+            self.cubic([from, end], [first, last], &mut to);
             return;
         }
         let [c, e] = [(a, self.longest), (b, -self.longest)].map(|(at, by)| [at[0] + by * d[0], at[1] + by * d[1]]);
         if self.sees(a, c) {
-            self.cubic([a, c], [first, d], &mut to);
+            self.cubic([from, c], [first, d], &mut to);
         }
         self.straight(c, e, &mut to);
         if self.sees(e, b) {
-            self.cubic([e, b], [d, last], &mut to);
+            self.cubic([e, end], [d, last], &mut to);
         }
     }
 
@@ -215,7 +280,7 @@ mod tests {
     fn a_shore_passes_its_points_and_has_no_corner() {
         for height in [8.0, 20.0, 40.0] {
             let mut curves = Curves::of(beside_a_border()[0], 32.0).unwrap();
-            curves.bends.moves = 0.0;
+            (curves.bends.moves, curves.evens) = (0.0, 0.0);
             let points = zigzag(600.0, height);
             let pieces = drawn(&mut curves, &points, f64::NAN);
             let seen = |at: &Place| (0.0..SIDE as f64).contains(&at[0]) && at[1] < 300.0;
@@ -232,6 +297,30 @@ mod tests {
             let corner = 2.0 * libm::atan2(height, 20.0).to_degrees();
             assert!(most < 0.4 * corner, "{height}: {most} of {corner}");
         }
+    }
+
+    /// Of texels of a raster about as wide: 8 texels of the grid are 135 m.
+    #[test]
+    fn stairs_are_a_straight_shore_and_an_islet_keeps_its_size() {
+        let mut curves = Curves::of(beside_a_border()[0], 32.0).unwrap();
+        curves.bends.moves = 0.0;
+        let corners = (0..40).map(|i| [-70.0 + 8.0 * f64::from((i + 1) / 2), -70.0 + 8.0 * f64::from(i / 2)]);
+        let stairs: Vec<_> = corners.chain([[90.0, 2_000.0], [-70.0, 2_000.0]]).collect();
+        // From the line through the middles of the steps.
+        let off = |at: Place| (at[0] - at[1] - 4.0).abs() * 0.5f64.sqrt();
+        let farthest = |pieces: Vec<[Place; 2]>| {
+            let inner = pieces.iter().flatten().filter(|at| at.iter().all(|x| (0.0..80.0).contains(x)));
+            inner.map(|at| off(*at)).fold(0.0, f64::max)
+        };
+        let even = farthest(drawn(&mut curves, &stairs, f64::NAN));
+        curves.evens = 0.0;
+        let uneven = farthest(drawn(&mut curves, &stairs, f64::NAN));
+        assert!(even < 0.01 && uneven > 2.8, "{even} texels off the line, {uneven} without");
+
+        let islet = [[100.0, 100.0], [110.0, 100.0], [110.0, 110.0], [100.0, 110.0]];
+        let plain = drawn(&mut curves, &islet, f64::NAN);
+        curves.evens = 1.0;
+        assert_eq!(drawn(&mut curves, &islet, f64::NAN), plain);
     }
 
     #[test]

@@ -71,7 +71,7 @@ pub fn field(tile: TileId, z: u8, shores: &Shores) -> Option<OwnShores> {
         };
         match &mut curves {
             Some(curves) => {
-                curves.smoother(river.stream.smooth_m());
+                curves.rivers(river.stream.smooth_m());
                 curves.ring(&points, &are_shores, draw);
             }
             None => straight(&points, &are_shores, draw),

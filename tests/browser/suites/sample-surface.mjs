@@ -13,7 +13,7 @@ const SEA = "#bft=8&seed=7";
 const PLACES = [[-14.25, 35.68], [-30, 20], [179.9999, -20]];
 
 /** Surf at Zandvoort, the harbour of Marseille's lee, the Caspian, the Alps. */
-const BY_LAND = [[4.5228, 52.372], [5.3, 43.28], [51, 42], [7.66, 45.98]];
+const BY_LAND = [[4.5223, 52.372], [5.3, 43.28], [51, 42], [7.66, 45.98]];
 
 async function native(lng, lat) {
   const { stdout } = await promisify(execFile)(PROGRAM, ["sample", `--at=${lat},${lng}`, "--state", SEA, "--time", TIME, "--data", join(PAGE, "data")]);
