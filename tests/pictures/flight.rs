@@ -111,7 +111,7 @@ fn a_frame_does_not_depend_on_those_before_it() {
 fn a_picture_does_not_depend_on_what_was_seen_before() {
     let folder = folder("from-a-lake");
     let out = folder.to_str().unwrap();
-    let [lake, continent] = ["45.9,6.15,40,150,84", "38,-2,3000000"]
+    let [lake, continent] = ["45.72,10.07,40,150,84", "38,-2,3000000"]
         .map(|view| format!("#view={view}&clouds=0&rate=0&time=2026-11-20T12:00:00Z"));
     printed(&["--flight", &lake, &continent, "--frames", "2", "--size", "320x180", "-o", out]);
     let fresh = folder.with_extension("png");

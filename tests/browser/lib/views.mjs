@@ -16,4 +16,4 @@ export const AT_THE_SURFACE = `#view=24.31,-76.561,0,120,88&ride=1&clouds=0&wind
 export const AT_SEA = `#view=35,-30,12,270,80&clouds=0&wind=14@250${STILL}`;
 
 /** Over a lake that no table knows: its level, over which the eye stays, comes with tiles of its own. */
-export const OVER_A_LAKE = `#view=45.9,6.15,40,150,84&bft=3&clouds=0${STILL}`;
+export const OVER_A_LAKE = `#view=45.72,10.07,40,150,84&bft=3&clouds=0${STILL}`;
