@@ -19,7 +19,12 @@ fn height_coming_in(sea: LocalSea, distance: Metres) -> Metres {
     return seen * frame.wave_height * sea.height;
 }
 
-// Shares of the water under white water of any age (x), and under that of a crest that is just breaking (y): of the waves of the trains where
+// A front covers all of the water, what it leaves behind so much at first: else no water is seen between one crest and the next. Ours.
+const LACE_LEFT: f32 = 0.4;
+
+fn with_lace(shares: vec2f) -> vec2f { return vec2f(mix(shares.y, shares.x, LACE_LEFT), shares.y); }
+
+// Shares of the water under white water of any age (x), of what is dense no longer `LACE_LEFT`, and under that of a crest that is just breaking (y): of the waves of the trains where
 // these show, elsewhere and from afar the mean; and by how much the shares' quantiles differ within a pixel (z), where a front begins. `incoming`: `height_coming_in`.
 // `width`: of the pixel across the crests. `lobes`: a normal level of the water, by which fronts run ahead here and stay behind there, and end raggedly along the crest.
 fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, width: Metres, lobes: f32) -> vec3f {
@@ -38,13 +43,13 @@ fn surf_at(waves: ShoreWaves, shore: Metres, depth: Metres, incoming: Metres, wi
     let over = frame.surf.z * deep / max(0.7071 * incoming, 1e-3);
     // The mean of all waves of a Rayleigh distribution (J. Battjes and J. Janssen 1978).
     let breaking = exp(-over * over) * smoothstep(SURF_WIDEST, 0.5 * SURF_WIDEST, shore) * smoothstep(0.02, 0.15, incoming);
-    let mean = breaking * lasts / frame.surf.x * (1.0 - exp(-frame.surf.x / lasts));
+    let mean = breaking * with_lace(lasts / frame.surf.x * (1.0 - exp(-frame.surf.x / lasts)));
     // The white water of this crest, and of those before it, which have broken as often as those of this height do.
     let often = exp(-pow(frame.surf.z * deep / max(0.7071 * waves.height, 1e-3), 2.0));
     let older = exp(-(age + period) / lasts);
     // A wave that has just begun to break is white along its crest alone. Wider surf is white from where it begins, narrower less all over.
     let torn = min(frame.shore.y, 1.0) * pow(bore, 2.0 / max(frame.shore.y, 1.0));
-    let crests = 1.0 - (1.0 - front * torn * exp(-age / (lasts * mix(0.15, 1.0, torn)))) * (1.0 - torn * often * older);
+    let crests = 1.0 - (1.0 - front * torn * with_lace(exp(-age / (lasts * mix(0.15, 1.0, torn))))) * (1.0 - torn * often * with_lace(older));
     let near = min(waves.share, 1.0) * (1.0 - smoothstep(0.12, 0.4, width / (celerity * period)));
     let blurred = FRONT_QUANTILES * width / (celerity * rises) * torn * 4.0 * front * (1.0 - front);
     return vec3f(mix(mean, crests, near), near * blurred);
