@@ -51,6 +51,10 @@ const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as sha
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
 const CLOUD_GAPS: Metres = 120.0;
 const CLOUD_LEAST = 0.1;
+const CLOUD_THINNED = vec2f(0.8, 1.3);  // power of it: of heaps, of closed ones, through whose thin parts the sea shines
+const DECK_FROM = vec2f(40.0, 160.0);    // metres of a pixel from which and at which decks show how deep they are
+const DECK_WITHIN: Metres = 20000.0;    // of the way through the clouds, in whose middle decks are looked at
+const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun for each of its slope, a metre
 
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
@@ -147,6 +151,14 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var met_excess = 0.0;
     var met_over = 0.0;
     var last_x = -6.0;
+    // One deck a sight: where it comes into the clouds, or where its pixels have become wide enough to tell.
+    let deck_at = max(stretch.first + 0.5 * min(length, DECK_WITHIN), DECK_FROM.y / cloud_pixel());
+    var deck = vec4f(1.0, 0.0, 0.0, 0.0);
+    if is_wide | (stretch.last * cloud_pixel() > DECK_FROM.x) {
+        let place = cloud_place(direction * deck_at);
+        deck = deck_depth(cloud_weather(place), place, deck_at * cloud_pixel());
+    }
+    let relief = dot(deck.yzw, cloud_way(frame.light));
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
@@ -172,7 +184,13 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let cloud = between(select(x, last_x, goes_on), x, deviation);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
-        let dense = CLOUD_OPACITY * max(pow(min(CLOUD_GAPS / (sight * cloud_pixel()), 1.0), 0.8), CLOUD_LEAST);
+        let pixel = sight * cloud_pixel();
+        let closed = smoothstep(CLOSED_FROM, CLOSED_TO, weather.x);
+        let wideness = select(smoothstep(0.5, 1.0, pixel / WIDE_PIXEL), 1.0, is_wide);
+        let deckness = max(wideness, smoothstep(DECK_FROM.x, DECK_FROM.y, pixel));
+        let depth = mix(1.0, deck.x, deckness);
+        let gaps = max(pow(min(CLOUD_GAPS / pixel, 1.0), mix(CLOUD_THINNED.x, CLOUD_THINNED.y, closed)), CLOUD_LEAST);
+        let dense = CLOUD_OPACITY * depth * gaps;
         let crisp = mix(1.0, select(CRISP, 1.0, is_wide), smoothstep(0.0, CRISP_FROM, height));
         let opaque = min(cloud.share * (1.0 - exp(-crisp * dense * cloud.excess * step / clouds)), 0.9999);
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
@@ -180,13 +198,14 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
         if is_lit | (is_cloud & (is_wide | (!FINE & is_fine))) {
             let top = cloud_top(max(max(edge, 0.0) + cloud.excess, level.x), weather.x);
-            let closed = smoothstep(CLOSED_FROM, CLOSED_TO, weather.x);
-            let wideness = select(smoothstep(0.5, 1.0, sight * cloud_pixel() / WIDE_PIXEL), 1.0, is_wide);
             let turned = smoothstep(TURNED.x, TURNED.y, met_over - (level.x - edge));
-            let facing = select(FACING_MEAN, mix(turned, FACING_MEAN, wideness), is_lit);
+            let level_facing = clamp(FACING_MEAN - DECK_RELIEF * deckness * relief, 0.0, 1.0);
+            let facing = select(level_facing, mix(turned, level_facing, wideness), is_lit);
             // Wide pixels hide what is thin in the tops as well.
             let mottled = exp(closed * clamp(MOTTLED * (level.x - weather.x) / (heaped(weather) + 0.5), -1.2, 0.7));
-            let scatters = CLOUD_SCATTERS * mix(1.0, 0.6, closed) * mottled * pow(dense / CLOUD_OPACITY, 0.3);
+            // And what is low, more so in closed ones.
+            let thick = depth * mix(1.0, 1.5 * top, wideness * mix(0.6, 1.0, closed));
+            let scatters = CLOUD_SCATTERS * mix(1.0, 0.6, closed) * mottled * pow(gaps, 0.3) * thick;
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
             heap.above = max(closed_ahead, heap.above);
             let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
@@ -235,7 +254,9 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let mu = sun_cosine(at);
     let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
     let apart = smoothstep(0.0, ICE_THICK, abs(frame.eye_altitude - ICE_HEIGHT));
-    let shade = 1.0 - exp(-apart * ice_optical_depth(cloud_place(at), t * cloud_pixel()) / max(rise, 0.12));
+    // A pixel is longer on the shell than wide.
+    let footprint = t * cloud_pixel() * pow(max(rise, 0.05), -0.4);
+    let shade = 1.0 - exp(-apart * ice_optical_depth(cloud_place(at), footprint) / max(rise, 0.12));
     let air = haze(direction, t);
     let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
     let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
