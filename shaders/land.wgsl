@@ -167,6 +167,7 @@ fn inland_surface(at: Place, direction: vec3f, up: vec3f, footprint: Metres) -> 
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4f {
     let triangle_distance = length(in.local);
+    let facet = cross(dpdx(in.local), dpdy(in.local));
     let direction = in.local / max(triangle_distance, 1e-3);
     let ray = eye_ray(direction);
     let far_hit = surface_hit(ray);
@@ -237,7 +238,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
         made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
-    let lit = lit_ground(at, direction, up, footprint, width, made, light, in.shore.y);
+    // Where its own ray tells a pixel's place, that is not the triangle's.
+    let rises = dot(facet, up);
+    let lies = select(facet * sign(rises) / max(length(facet), 1e-20), up, by_ray || rises == 0.0);
+    let lit = lit_ground(at, direction, up, lies, footprint, width, made, light, in.shore.y);
     var radiance = lit.radiance;
     let inland = inland_share(ground, footprint);
     if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }

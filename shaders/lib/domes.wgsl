@@ -28,15 +28,16 @@ fn by_turn(turn: vec2f, way: vec2f) -> vec2f { return vec2f(turn.x * way.x - tur
 const DOME_WIDEST = 0.48;          // radius, of a cell
 const MARGIN = 0.15;               // of a share: above it domes are whole
 const DOME_CELLS = 10u;             // that a sight crosses at most
+const STEEPEST_SIDE = 0.6;         // height, of a dome's, below which its sides are not steeper; ours
 const CROSSED_MOST = 6.0;          // how far, in cells, a sight goes while it sinks by the height of the highest dome, at most
 
 // Height of the highest dome, in cells.
 fn dome_top(lattice: Lattice) -> f32 { return lattice.dome * DOME_WIDEST; }
 
 // The radius of a dome by a random number of 0 to 1, over that of the widest: many are small and few are large.
-fn dome_size(u: f32, green: f32) -> f32 { return mix(0.22 + 0.78 * u * u * u, 0.42 + 0.58 * u * u, green); }
+fn dome_size(u: f32, green: f32) -> f32 { return mix(0.22 + 0.78 * u * u * u, 0.3 + 0.7 * u * u, green); }
 // The mean of its square.
-fn dome_area(green: f32) -> f32 { return dot(vec3f(0.2211, 0.5845, 0.4061), vec3f((1.0 - green) * (1.0 - green), green * (1.0 - green), green * green)); }
+fn dome_area(green: f32) -> f32 { return dot(vec3f(0.2211, 0.5337, 0.3280), vec3f((1.0 - green) * (1.0 - green), green * (1.0 - green), green * green)); }
 
 // A wave of straight flanks from 0 to 1.
 fn tooth(turns: f32) -> f32 { return abs(2.0 * fract(turns) - 1.0); }
@@ -130,15 +131,15 @@ fn domes(p: FinePoint, lattice: Lattice, share: f32, green: f32, sight_on_map: v
         let meets = select(0.0, 1.0, radius > 0.0 && (dot(off, off) < radius * radius || b > 0.0));
         let side = off - sight * height;
         let high = height / (lattice.dome * max(radius, 0.01));
-        // A place on it, as far from its top as it is along the dome, in radii.
-        let on_it = side * (0.25 * TURN - (0.25 * TURN - 1.0) * high) / max(radius, 0.01);
+        // A place on it, stereographic from its top, in radii: what lies there is as wide as it is high all over, and half as large at the foot.
+        let on_it = side * (2.0 / ((1.0 + high) * max(radius, 0.01)));
         let gap = gaps(on_it, dome.aside, leafy);
         let seen = left * meets * saturate(0.5 + (radius * (1.0 - lattice.fringed * gap) - sqrt(nearest)) / max(sees, 0.02))
             * saturate(1.0 + (height - 0.5 * lattice.fringed * gap * radius) / max(sees, 0.02));
         let kind = 0.6 + 0.8 * f32((dome.word >> 5u) & 0xffu) / 255.0;
         found.tone += seen * kind * (tones.x + tones.y * high + 0.5 * (MEAN_GAP - gap));
         found.cover += seen;
-        found.rise -= seen * side / max(lattice.dome * radius, 0.01);
+        found.rise -= lattice.dome * seen * side / max(radius * max(high, STEEPEST_SIDE), 0.01);
         found.leaf = select(found.leaf, vec3f(dome.aside + radius * on_it, sees), seen > 0.5);
         left -= seen;
         let is_last = min(next.x, next.y) >= top;

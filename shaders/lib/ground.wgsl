@@ -96,8 +96,8 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grai
     return Grain(on_map * found.tone, on_map * found.slope);
 }
 
-// `direction`: of the sight; `width`: of the pixel towards the shore; `washed`: how far waves run up the shore; nothing grows there.
-fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: Metres, made: Made, light: Daylight, washed: Metres) -> LitGround {
+// `direction`: of the sight; `lies`: the normal of what is drawn, which knows less of the relief; `width`: of the pixel towards the shore; `washed`: how far waves run up the shore; nothing grows there.
+fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Metres, width: Metres, made: Made, light: Daylight, washed: Metres) -> LitGround {
     let point = at.point;
     let part = at.part;
     let sin_lat = at.sin_lat;
@@ -133,7 +133,10 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
-    if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(footprint * distance * frame.pixel_angle), rocky); }
+    // Pixels on a slope that faces the eye are not as long as on the level.
+    let across = distance * frame.pixel_angle;
+    let growth = min(footprint, ground_footprint(across, direction, lies));
+    if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(growth * across), rocky); }
     if IMAGERY && !is_apart {
         albedo = imagery_albedo(point, sin_lat, footprint);
         let snowy = smoothstep(0.3, 0.6, albedo.b);
@@ -141,21 +144,24 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, footprint: Metres, width: 
         sand = mix(sand, albedo, snowy);
         if FINE {
             // What stands hides the ground between, the more so the flatter a sight is: what lies flat would be seen as streaks.
-            flat = mix(1.0, distance * frame.pixel_angle / footprint, greenness(albedo));
-            let detail = ground_detail(point.at, footprint);
+            flat = mix(1.0, across / growth, greenness(albedo));
+            let detail = ground_detail(point.at, growth);
             let green = greenness(albedo);
             let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
-            let sunlight = sinking(point, -frame.light, up, 0.4);
+            // What stands on a slope stands upright: a sight and the sun's light sink to that, not to the level.
+            let raised = lies / max(dot(lies, up), 0.1);
+            let sinks = max(-dot(direction, raised), LEAST_SINKING);
+            let sight_over = sight * max(-dot(direction, up), LEAST_SINKING) / sinks;
+            let sunlight = sinking(point, -frame.light, up, 0.4) * max(dot(frame.light, up), 0.4) / max(dot(frame.light, raised), 0.4);
             let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach_width(point.at, usual_width);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
             grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
             // Much grows where it is dark.
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
-            let above = max(-dot(direction, up), LEAST_SINKING) * distance;
             let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
             if GROWTH {
-                standing = plants(bent, green, -detail.clumps, farm, open, sight, sunlight, above, footprint);
+                standing = plants(bent, green, -detail.clumps, farm, open, sight_over, sunlight, sinks * distance, growth, across);
                 standing.shade = select(standing.shade, 0.0, is_bed);
             }
             albedo = detailed_albedo(albedo, green, farm, detail, standing.tone, flat);

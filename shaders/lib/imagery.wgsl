@@ -44,12 +44,13 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 }
 
 // What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,
-// the rise of small hills right and down on the map, as slopes of about one, how far the octave of 76 m has bent the place, in units of the map, what
+// the rise of small hills right and down on the map, as slopes of about one, how far the octaves of 305 and 76 m have bent the place, in units of the map, what
 // chooses where farms lie, which knows nothing of the tones, and the fields.
 struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, tillage: f32, fields: Fields }
 
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
 const WIDEST_TONES: f32 = 0.2;     // of the widest, which from space are as wide as what imagery shows, and would lie over it like a fabric
+const HEDGE_TREES = 2.0;           // how much less of a hedge there is where clumps are one, and more where they are minus one; ours
 const WARP: f32 = 0.08;            // how far an octave moves the next one, of its own cells a rise
 
 // Patches of what grows and lies there; as far as 100 m valleys, too, creased where the noise is none, between round hills. Their tones are not creased: on
@@ -69,18 +70,20 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         detail.tone += height;
         detail.coarse += select(0.0, height, level < 20u);
         detail.clumps = select(detail.clumps, vec4f(height), vec4u(level) == vec4u(19u, 21u, 23u, 25u));
-        detail.hue = select(detail.hue, shown * noise.y, level == 19u);
+        detail.hue += select(0.0, shown * noise.y, level == 19u || level == 23u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
         let bends = WARP * noise.yz * f32(1u << (32u - level));
         place = at + bitcast<vec2u>(vec2i(bends));
         bend = select(bend, noise.yz, level == 13u);
         detail.tillage += select(0.0, 0.5 * noise.y, level <= 15u);
-        detail.bent = select(detail.bent, bends, level == 19u);
+        detail.bent += select(vec2f(0.0), bends, level == 17u || level == 19u);
         level += 2u;
         if level > 27u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
     detail.fields = fields_at(at, bend, footprint);
+    // Hedges have gaps and trees in them.
+    detail.fields.hedge *= max(1.0 - HEDGE_TREES * dot(detail.clumps, vec4f(0.5, 1.0, 0.0, 0.0)), 0.0);
     return detail;
 }
 

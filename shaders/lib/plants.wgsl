@@ -3,11 +3,11 @@
 
 // That of a size: groves with cells of 37 m at the equator, trees of 8.5 m, shrubs of 3.0 m, herbs of 1.2 m, tufts of 0.38 m.
 fn lattice_of(size: u32) -> Lattice {
-    if size == 0u { return Lattice(18u, vec2i(4, -1), 0.7, 0.4, vec2f(-0.7, 0.3), true); }
-    if size == 1u { return Lattice(21u, vec2i(2, 1), 0.7, 1.0, vec2f(-0.9, 0.6), true); }
-    if size == 2u { return Lattice(22u, vec2i(3, -1), 0.7, 0.9, vec2f(-0.9, 0.7), true); }
-    if size == 3u { return Lattice(23u, vec2i(4, 1), 0.8, 0.85, vec2f(-0.8, 1.1), false); }
-    return Lattice(25u, vec2i(1, 3), 0.9, 1.1, vec2f(-1.0, 1.6), false);
+    if size == 0u { return Lattice(18u, vec2i(4, -1), 0.6, 0.4, vec2f(-0.7, 0.3), true); }
+    if size == 1u { return Lattice(21u, vec2i(2, 1), 0.6, 1.0, vec2f(-0.9, 0.6), true); }
+    if size == 2u { return Lattice(22u, vec2i(3, -1), 0.6, 0.9, vec2f(-0.8, 0.75), true); }
+    if size == 3u { return Lattice(23u, vec2i(4, 1), 0.6, 0.85, vec2f(-0.7, 1.15), false); }
+    return Lattice(25u, vec2i(1, 3), 0.7, 1.1, vec2f(-0.85, 1.6), false);
 }
 
 const SIZES = 5u;
@@ -16,14 +16,14 @@ const SIZES = 5u;
 // make groups of a size.
 fn share_of(size: u32, green: f32, clumps: vec4f) -> f32 {
     let bare = array(0.05, 0.05, 0.10, 0.15, 0.30);
-    let lush = array(0.30, 0.36, 0.50, 0.55, 0.90);
-    let groups = select(select(clumps.x, 0.6 * clumps.x + 1.2 * clumps.y, size == 2u), select(0.7 * clumps.y + clumps.z, 0.7 * clumps.z + clumps.w, size == 4u), size > 2u);
+    let lush = array(0.34, 0.40, 0.55, 0.60, 0.95);
+    let groups = select(select(clumps.x + 0.7 * clumps.y, 0.6 * clumps.x + 1.2 * clumps.y, size == 2u), select(0.7 * clumps.y + clumps.z, 0.7 * clumps.z + clumps.w, size == 4u), size > 2u);
     return clamp(mix(bare[size], lush[size], green) + mix(1.2, 2.0, green) * select(1.0, 1.8, size > 2u) * groups, 0.0, select(0.6, 0.95, size > 2u));
 }
 
 // What stands on ground that is so `green`; `clumps`: as of `share_of`. `farm`: how far it is farmed, where few trees and shrubs are left. `open`: from 0 to 1 from a beach to where trees can grow; `sight` and `sun`: as of `domes`; `eye`: how high it is above the ground,
-// which is no more than a picture: there are no trees about an eye below their tops.
-fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres) -> Standing {
+// which is no more than a picture: there are no trees about an eye below their tops. `across`: of a pixel that faces the eye, as the sides of plants do.
+fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres, across: Metres) -> Standing {
     var found = NOTHING_STANDS;
     var size = 0u;
     loop {
@@ -37,7 +37,7 @@ fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: 
         // Groves take the place of trees that do not show.
         let near = select(1.0, smoothstep(0.06, 0.17, footprint / cell), size == 0u);
         let whole = near * (1.0 - smoothstep(0.25, 0.7, footprint / cell));
-        let own = domes(p, lattice, share, green, sight, sun, footprint / cell, whole * share <= 0.0);
+        let own = domes(p, lattice, share, green, sight, sun, across / cell, whole * share <= 0.0);
         let left = (1.0 - found.cover) * whole;
         found.tone += left * (own.tone - mean_tone(lattice, share, green));
         found.rise += left * own.rise;
@@ -52,6 +52,6 @@ fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: 
     let leaves = shown(found.leaf.z, 0.03125) * bed_noise(found.leaf.xy, 0.03125, 84u);
     let n = leaves.z / BED_NOISE_DEVIATION;
     found.tone += found.cover * (1.2 * branches.z + 0.25 * (n + 0.5 * (n * n - shown(found.leaf.z, 0.03125))));
-    found.rise += found.cover * (0.1 * branches.xy + 0.015 * leaves.xy);
+    found.rise += found.cover * (0.17 * branches.xy + 0.02 * leaves.xy);
     return found;
 }
