@@ -140,9 +140,10 @@ impl Curves {
             return Corner { at, tangent: Some(tangent) };
         }
         let longest = self.longest.min(2.0 * before.way.1.min(after.way.1));
-        let [back, on] = [-before.way.1.min(longest), after.way.1.min(longest)];
-        let to = |of: [f64; 2]| [0, 1].map(|axis| of[0] * before.way.0[axis] + of[1] * after.way.0[axis]);
-        let (chord, off) = (to([-back, on]), to([0.25 * back, 0.25 * on]));
+        // The ends of both sides, or what counts of them, are so far before and after it: the way from the one to the other, and half of that to their middle.
+        let [back, on] = [before, after].map(|side| side.way.1.min(longest));
+        let way_by = |of: [f64; 2]| [0, 1].map(|axis| of[0] * before.way.0[axis] + of[1] * after.way.0[axis]);
+        let (chord, off) = (way_by([back, on]), way_by([-0.25 * back, 0.25 * on]));
         let chord_length = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt().max(1e-9);
         let most = EVENS_M / self.bends.texel_m(at[1]);
         let far = (off[0] * off[0] + off[1] * off[1]).sqrt();
