@@ -7,7 +7,7 @@
 
 struct Evolution {
     ticks: vec2u,              // low and high word of the time in 2^-20 s
-    cascade_count: u32,
+    depth: f32,                // of the water, metres
     sharpened: u32,            // 1: heights and displacements make up for linear interpolation
     patches: vec4f,            // metres
     scales: array<vec4f, 8>,   // two per cascade, in the order of the textures: bring each field to about unit size halfway
@@ -71,6 +71,12 @@ fn gain(i: u32) -> f32 {
     return select(1.0, inverseSqrt((2.0 + twiddles[i].x) / 3.0), evolution.sharpened == 1u);
 }
 
+// The way of a wave of wave vector k, as long as its orbit at the surface is over its height: coth kh.
+fn along(k: vec2f) -> vec2f {
+    let size = max(length(k), 1e-9);
+    return k / (size * tanh(clamp(size * evolution.depth, 1e-6, 15.0)));
+}
+
 @compute @workgroup_size(THREADS)
 fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) group: vec3u) {
     let line = thread / SPAN;
@@ -95,7 +101,7 @@ fn rows(@builtin(local_invocation_index) thread: u32, @builtin(workgroup_id) gro
 #unroll 8    let h_$ = kept(slot(at + $u * SPAN, line));
     workgroupBarrier();
 #unroll 8    let kx_$ = wavenumber(at + $u * SPAN) * dk;
-#unroll 8    let u_$ = vec2f(kx_$, ky) / max(length(vec2f(kx_$, ky)), 1e-9);
+#unroll 8    let u_$ = along(vec2f(kx_$, ky));
     // The second of a pair is multiplied by i.
 #unroll 8    let s_$ = row_gain * gain(at + $u * SPAN);
 #unroll 8    a[$] = vec4f(times(vec2f(d.z * s_$, -d.w * kx_$ * u_$.y), h_$), times(vec2f(-g.z * kx_$ * u_$.x, -g.w * ky * u_$.y), h_$));

@@ -53,13 +53,14 @@ fn broken_height(over: f32, slope: f32, gamma: f32) -> f32 {
     return sqrt(max((1.0 + alpha) * pow(y, at - 0.5) - alpha * y * y, 0.0));
 }
 
-// r and φ of a wave's shape.
-fn wave_shape(height: Metres, y: f32, depth: Metres, bore: f32) -> vec2f {
+// r and φ of a wave's shape: as skewed as its Ursell number has it, as pointed as the chop does.
+fn wave_shape(height: Metres, y: f32, depth: Metres, bore: f32, chop: f32) -> vec2f {
     let ursell = max(0.375 * height / depth / (y * y), 1e-6);
     let skew = 0.857 / (1.0 + exp((-0.471 - 0.4342945 * log(ursell)) / 0.297));
     let b = sqrt(2.0) * skew * inverseSqrt(9.0 + 2.0 * skew * skew);
     let phase = -0.25 * WHOLE_TURN * hyperbolic(0.815 * pow(ursell, -0.672));
-    return vec2f(mix(2.0 * b / (1.0 + b * b), BREAKER_BORE, bore), phase * (1.0 - bore));
+    let pointed = 0.5 * chop * height * y / (depth * hyperbolic(y));
+    return vec2f(mix(max(2.0 * b / (1.0 + b * b), min(pointed, BREAKER_BORE)), BREAKER_BORE, bore), phase * (1.0 - bore));
 }
 
 // The surface per half of the height, and its derivative by the phase, whose cosine and sine are those of `turn`.

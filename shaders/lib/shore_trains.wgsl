@@ -213,7 +213,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let bore = own.bore;
     let white = breaking_of(2.0 * all.group * sqrt(wanted), omega, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
-    let shape = wave_shape(height, y, h, bore);
+    let shape = wave_shape(height, y, h, bore, frame.chop);
     // The shape begins with a rise, the sum with a crest.
     let surface = wave_surface(shape, vec2f(-turn.y, turn.x));
     let local = (turn.x * all.sum.cosines + turn.y * all.sum.sines) / max(size, 0.2 * deep + 1e-4);

@@ -71,6 +71,11 @@ pub fn shoaling(k: f64, h: f64) -> f64 {
     libm::sqrt(GRAVITY / (2.0 * omega_finite(k, h)) / group_velocity(k, h))
 }
 
+/// How much longer than high the orbits of the water at the surface are, coth kh; 1 in deep water, and for no wave.
+pub fn orbit_ratio(k: f64, h: f64) -> f64 {
+    if k > 0.0 { 1.0 / tanh_kh(k, h) } else { 1.0 }
+}
+
 fn tanh_kh(k: f64, h: f64) -> f64 {
     // 0 · ∞ would be NaN: a wave of no wave number over no bottom has ω = 0 either way.
     if k > 0.0 { libm::tanh(k * h.max(0.0)) } else { 0.0 }

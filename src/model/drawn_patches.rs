@@ -21,7 +21,7 @@ impl DrawnPatches {
             let n = cascade.n;
             let h0: Vec<Complex> = data.amplitudes_of(index, n).iter().map(|h| h.map(f64::from)).collect();
             let cycles = data.frequencies_of(index, n);
-            packed_fields(&h0, cascade, |at| gain_of(cascade, at), |at| phase_at(cycles(at), ticks))
+            packed_fields(&h0, cascade, data.depth_m, |at| gain_of(cascade, at), |at| phase_at(cycles(at), ticks))
         };
         Self { grids: cascades.iter().enumerate().map(grids).collect(), cascades }
     }

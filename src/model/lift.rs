@@ -6,6 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::dispersion;
 use super::fft::{Complex, mul};
 use super::moved_water::{Motion, Place, between_samples};
 use super::sea_tables::SeaTables;
@@ -177,7 +178,7 @@ impl LiftedPatch {
             let wave = Wave {
                 column: (i + reach) as usize,
                 kx,
-                per_k: 1.0 / libm::hypot(kx, ky),
+                per_k: dispersion::orbit_ratio(libm::hypot(kx, ky), data.depth_m) / libm::hypot(kx, ky),
                 // h0 (cos − i sin) + conj(h0(−k)) (cos + i sin).
                 parts: [[a + c, b - d], [b + d, c - a]],
                 cycles_per_tick: frequencies(with),

@@ -1,5 +1,6 @@
 //! What follows from a sea once and for all: its wave patches, and the integrals of its spectrum that the shading needs.
 
+use super::dispersion;
 use super::perlin::Octaves;
 use super::quadrature::simpson_log;
 use super::sea::Sea;
@@ -49,21 +50,22 @@ impl SeaTables {
         let k_max = cascades[CASCADES - 1].k_max;
         let below_slopes = slopes_between(&drawn, k_max, f64::INFINITY);
         let level: f64 = modes.iter().map(|mode| mode.wavenumber() * mode.variance()).sum();
-        let chop_level_m = waves::chop_level_m(&drawn, k_max, sea.chop) - sea.chop * level;
+        let chop_level_m = waves::chop_level_m(&drawn, sea.depth_m, k_max, sea.chop) - sea.chop * level;
         // Of height and of what draws the level down, by patch.
-        let shares = |power: i32| {
+        let shares = |weight: &dyn Fn(f64) -> f64| {
             let between = |[k0, k1]: [f64; 2]| {
-                if k0 >= k1 { 0.0 } else { simpson_log(k0, k1, 96, |k| k.powi(power) * drawn.omnidirectional(k)) }
+                if k0 >= k1 { 0.0 } else { simpson_log(k0, k1, 96, |k| weight(k) * drawn.omnidirectional(k)) }
             };
             let all_of = |i: usize| -> f64 {
-                let single: f64 = own(i).map(|mode| mode.wavenumber().powi(power) * mode.variance()).sum();
+                let single: f64 = own(i).map(|mode| weight(mode.wavenumber()) * mode.variance()).sum();
                 single + parts(cascades[i].k_min.max(1e-4), cascades[i].k_max).map(between).iter().sum::<f64>()
             };
             let held: [f64; CASCADES] = std::array::from_fn(all_of);
             let all: f64 = held.iter().sum();
             held.map(|part| if all > 0.0 { part / all } else { 0.0 })
         };
-        let (cascade_shares, cascade_levels) = (shares(0), shares(1));
+        let (cascade_shares, cascade_levels) =
+            (shares(&|_| 1.0), shares(&|k| k * dispersion::orbit_ratio(k, sea.depth_m)));
         let (peak_period_s, perlin) = (spectrum.peak_period(), Octaves::default());
         let mut tables = Self {
             sea,

@@ -93,16 +93,16 @@ pub struct Shape {
 
 impl Shape {
     /// Of a wave `height` m high with wave number `k` over a depth of `h` m, by its Ursell number
-    /// ([Ruessink and others](crate::bibliography::Ruessink2012)); `bore`, 0 to 1, of a broken one.
-    pub fn new(height: f64, k: f64, h: f64, bore: f64) -> Self {
-        let ursell = 0.375 * height * k / libm::pow(k * h, 3.0).max(1e-9);
-        if ursell < 1e-6 {
-            return Self { r: 0.0, phase: -std::f64::consts::FRAC_PI_2 };
-        }
+    /// ([Ruessink and others](crate::bibliography::Ruessink2012)); `bore`, 0 to 1, of a broken one. Where it hardly feels the bottom its crest is as
+    /// pointed as water that goes to and fro by `chop` times a coth kh, of an amplitude a, makes it: that gives cos θ the second harmonic
+    /// chop/2 k a² coth kh, and r/2 is that over a.
+    pub fn new(height: f64, k: f64, h: f64, bore: f64, chop: f64) -> Self {
+        let ursell = (0.375 * height * k / libm::pow(k * h, 3.0).max(1e-9)).max(1e-6);
         let skew = 0.857 / (1.0 + libm::exp((-0.471 - libm::log10(ursell)) / 0.297));
         let b = std::f64::consts::SQRT_2 * skew / libm::sqrt(9.0 + 2.0 * skew * skew);
         let psi = -std::f64::consts::FRAC_PI_2 * (1.0 - libm::tanh(0.815 / libm::pow(ursell, 0.672)));
-        let (r, phase) = (2.0 * b / (1.0 + b * b), -psi - std::f64::consts::FRAC_PI_2);
+        let pointed = 0.5 * chop * height * k / libm::tanh(k * h);
+        let (r, phase) = ((2.0 * b / (1.0 + b * b)).max(pointed.min(BORE)), -psi - std::f64::consts::FRAC_PI_2);
         Self { r: r + (BORE - r) * bore, phase: phase * (1.0 - bore) }
     }
 
@@ -192,8 +192,8 @@ pub fn usual_similarity(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
 
 impl TrainSum {
     /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
-    /// frequency.
-    pub fn wave(&self, omega: f64, place: Shallows, energy: f64) -> SurfWave {
+    /// frequency, `chop` the sea's.
+    pub fn wave(&self, omega: f64, place: Shallows, energy: f64, chop: f64) -> SurfWave {
         let size = libm::hypot(self.z[0], self.z[1]);
         let deep = 2.0 * size * libm::sqrt(energy);
         let Grown { h, k, height, breaks, similarity } = Grown::new(omega, place, deep);
@@ -201,7 +201,7 @@ impl TrainSum {
         let turn = self.z.map(|part| part / size.max(1e-6));
         // The shape begins with a rise, the sum with a crest.
         let phase = libm::atan2(turn[1], turn[0]) + std::f64::consts::FRAC_PI_2;
-        let [rise, tilt] = Shape::new(height, k, h, bore).surface(phase);
+        let [rise, tilt] = Shape::new(height, k, h, bore, chop).surface(phase);
         let along = |axis: usize| turn[0] * self.cosines[axis] + turn[1] * self.sines[axis];
         let local = [along(0), along(1)].map(|k| k / size.max(0.2 * deep + 1e-4));
         let length = libm::hypot(local[0], local[1]).max(1e-6);

@@ -1,8 +1,9 @@
 //! The water's surface from its amplitudes, in f64: what the GPU's transform must reproduce.
 //!
-//! Signs ([`waves`](super::waves) gives the rest): D = +i k/|k| H with X = x + λD, so that λ > 0 gathers points at the crests.
+//! Signs ([`waves`](super::waves) gives the rest): D = +i k/|k| coth kh H with X = x + λD, so that λ > 0 gathers points at the crests.
 
 use super::{
+    dispersion,
     fft::{self, Complex, mul},
     waves::{Patch, angular_frequencies, cycles_per_tick, phase_u32},
 };
@@ -34,12 +35,12 @@ pub struct Fields {
 pub fn fields(h0: &[Complex], patch: impl Into<Patch>, ticks: u64) -> Fields {
     let patch = patch.into();
     let omega = angular_frequencies(patch, f64::INFINITY);
-    fields_with(h0, patch, &omega, |index| phase_at(cycles_per_tick(omega[index]), ticks))
+    fields_with(h0, patch, f64::INFINITY, &omega, |index| phase_at(cycles_per_tick(omega[index]), ticks))
 }
 
-/// The fields at a time in seconds for given frequencies, rad/s: for other depths, and for oracles with a dispersion of their own.
-pub fn fields_at(h0: &[Complex], patch: impl Into<Patch>, omega: &[f64], t: f64) -> Fields {
-    fields_with(h0, patch.into(), omega, |index| omega[index] * t)
+/// The fields at a time in seconds over water `depth_m` deep (infinite: deep), for given frequencies, rad/s: for oracles with a dispersion of their own.
+pub fn fields_at(h0: &[Complex], patch: impl Into<Patch>, depth_m: f64, omega: &[f64], t: f64) -> Fields {
+    fields_with(h0, patch.into(), depth_m, omega, |index| omega[index] * t)
 }
 
 /// ωt in radians at a tick.
@@ -73,14 +74,15 @@ pub fn gain_of(patch: impl Into<Patch>, index: usize) -> f64 {
 }
 
 /// The eight drawn fields of a patch, two to a grid as real and imaginary part, element by element: (Dx, Dy), (η, ∂Dx/∂y),
-/// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). The chop is that of deep water at any depth. `gain` multiplies height and displacement
-/// of a wave (by its element), see [`interpolation_gain`]; not their derivatives.
+/// (∂η/∂x, ∂η/∂y), (∂Dx/∂x, ∂Dy/∂y). D is i k̂ coth kh times η over water `depth_m` deep (infinite: deep). `gain` multiplies height and
+/// displacement of a wave (by its element), see [`interpolation_gain`]; not their derivatives.
 ///
 /// # Panics
 /// If `h0` does not hold as many elements as the patch: both come from the same cascade.
 pub fn packed_fields(
     h0: &[Complex],
     patch: impl Into<Patch>,
+    depth_m: f64,
     gain: impl Fn(usize) -> f64,
     phase: impl Fn(usize) -> f64,
 ) -> [Vec<Complex>; 4] {
@@ -95,7 +97,8 @@ pub fn packed_fields(
         let (h, _) = evolve(h0[index], minus, 0.0, phase(index));
         let (kx, ky) = patch.wave_vector(index);
         let k = libm::sqrt(kx * kx + ky * ky);
-        let (ux, uy) = if k > 0.0 { (kx / k, ky / k) } else { (0.0, 0.0) };
+        let per_k = if k > 0.0 { dispersion::orbit_ratio(k, depth_m) / k } else { 0.0 };
+        let (ux, uy) = (per_k * kx, per_k * ky);
         let times_i = |s: f64| [-s * h[1], s * h[0]];
         let times = |s: f64| [s * h[0], s * h[1]];
         // a + ib of two Hermitian spectra: the transform brings both real fields at once.
@@ -110,12 +113,13 @@ pub fn packed_fields(
     spectra
 }
 
-fn fields_with(h0: &[Complex], patch: Patch, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
+fn fields_with(h0: &[Complex], patch: Patch, depth_m: f64, omega: &[f64], phase: impl Fn(usize) -> f64) -> Fields {
     let parts = |grid: Vec<Complex>| grid.into_iter().map(|[re, im]| (re, im)).unzip::<f64, f64, Vec<_>, Vec<_>>();
     let mut rates: Vec<Complex> =
         (0..patch.count()).map(|i| evolve(h0[i], h0[patch.mirror(i)], omega[i], phase(i)).1).collect();
     fft::inverse_2d(&mut rates, patch.samples[0]);
-    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] = packed_fields(h0, patch, |_| 1.0, phase).map(parts);
+    let [(dx, dy), (eta, dx_y), (eta_x, eta_y), (dx_x, dy_y)] =
+        packed_fields(h0, patch, depth_m, |_| 1.0, phase).map(parts);
     Fields { eta, dx, dy, eta_x, eta_y, dx_x, dy_y, dx_y, eta_t: parts(rates).0 }
 }
 

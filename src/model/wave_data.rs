@@ -12,14 +12,23 @@ use super::sea_tables::SeaTables;
 use super::waves::{self, CASCADES, Cascade, Cells, Patch};
 
 /// Amplitudes, frequencies and scales of all cascades, one after another.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct WaveData {
+    /// Depth of the water that they run over, m; infinite for deep water.
+    pub depth_m: f64,
     /// h0(k), metres, in wave index order.
     pub amplitudes: Vec<[f32; 2]>,
     /// Cycles per tick in fixed point, low and high word. They depend on patches and depth alone, so seas share them.
     pub frequencies: Arc<Vec<[u32; 2]>>,
     /// See [`scales`], one for each cascade.
     pub scales: Vec<[[f32; 4]; 2]>,
+}
+
+impl Default for WaveData {
+    /// Deep water without waves.
+    fn default() -> Self {
+        Self { depth_m: f64::INFINITY, amplitudes: Vec::new(), frequencies: Arc::default(), scales: Vec::new() }
+    }
 }
 
 impl WaveData {
@@ -77,6 +86,7 @@ impl Making {
         let count = CASCADES * tables.cascades[0].n.pow(2);
         let wanted = frequencies.is_none().then(|| (tables.sea.depth_m, Vec::with_capacity(count)));
         let data = WaveData {
+            depth_m: tables.sea.depth_m,
             amplitudes: Vec::with_capacity(count),
             frequencies: frequencies.unwrap_or_default(),
             scales: Vec::with_capacity(CASCADES),

@@ -120,12 +120,12 @@ pub fn angular_frequency((kx, ky): (f64, f64), depth_m: f64) -> f64 {
     dispersion::omega_capillary(libm::sqrt(kx * kx + ky * ky), depth_m, dispersion::SEA_TENSION)
 }
 
-/// Mean level of the sea under a choppy displacement of λ = `chop`, m: −λ Σ k E over the waves up to `k_max`. Negative, since
-/// the displacement X = x + λD widens the troughs: ⟨ηJ⟩ = λ⟨η∇·D⟩ per area at rest, and ∇·D = −k H. The drawn surface has it
+/// Mean level of the sea under a choppy displacement of λ = `chop` over water `depth_m` deep, m: −λ Σ k coth kh E over the waves up to `k_max`.
+/// Negative, since the displacement X = x + λD widens the troughs: ⟨ηJ⟩ = λ⟨η∇·D⟩ per area at rest, and ∇·D = −k coth kh H. The drawn surface has it
 /// subtracted, so that its mean stays the ellipsoid. Single waves have −λ Σ k a²/2 of their own.
-pub fn chop_level_m(spectrum: &impl DirectionalSpectrum, k_max: f64, chop: f64) -> f64 {
+pub fn chop_level_m(spectrum: &impl DirectionalSpectrum, depth_m: f64, k_max: f64, chop: f64) -> f64 {
     // No sea has energy below 1e-5 rad/m; 1024 steps of Simpson's rule are good to 1e-6 across a tail's kink.
-    -chop * simpson_log(1e-5, k_max, 1024, |k| k * spectrum.omnidirectional(k))
+    -chop * simpson_log(1e-5, k_max, 1024, |k| k * dispersion::orbit_ratio(k, depth_m) * spectrum.omnidirectional(k))
 }
 
 /// Ticks of the wave clock in a second, 2²⁰: about a microsecond each.

@@ -30,7 +30,7 @@ pub use crate::model::wave_data::WaveData;
 #[expect(missing_docs, reason = "documented where the shader declares them")]
 pub struct Evolution {
     pub ticks: [u32; 2],
-    pub cascade_count: u32,
+    pub depth: f32,
     pub sharpened: u32,
     pub patches: [f32; 4],
     pub scales: [[f32; 4]; 8],
@@ -126,6 +126,7 @@ pub struct Fft {
     mips: MipChain,
     cascades: Vec<Cascade>,
     scales: Vec<[[f32; 4]; 2]>,
+    depth_m: f64,
     sharpened: bool,
     /// (Dx, Dy, height, 0) in metres, one layer per cascade.
     pub displacements: wgpu::Texture,
@@ -187,6 +188,7 @@ impl Fft {
         let (cascades, scales) = (Vec::new(), Vec::new());
         Self {
             sharpened: false,
+            depth_m: f64::INFINITY,
             n,
             all,
             stretches_alone,
@@ -211,6 +213,7 @@ impl Fft {
             self.known_frequencies = Some(data.frequencies.clone());
         }
         self.scales.clone_from(&data.scales);
+        self.depth_m = data.depth_m;
         self.cascades = cascades.to_vec();
     }
 
@@ -234,7 +237,7 @@ impl Fft {
             let scale = |i: usize| self.scales.get(first + i / 2).map_or([1.0; 4], |pair| pair[i % 2]);
             let evolution = Evolution {
                 ticks: words(ticks),
-                cascade_count: batch.patches.len() as u32,
+                depth: self.depth_m.min(f64::from(f32::MAX)) as f32,
                 sharpened: u32::from(self.sharpened),
                 patches: std::array::from_fn(length),
                 scales: std::array::from_fn(scale),

@@ -2,6 +2,7 @@
 
 use ocean_globe::gpu::Gpu;
 use ocean_globe::gpu::context::device_descriptor;
+use ocean_globe::model::sea::SpectrumKind;
 use ocean_globe::model::sea_tables::SeaTables;
 use ocean_globe::model::surface::{self, Fields};
 use ocean_globe::model::waves::{self, Cascade, Sea};
@@ -94,7 +95,7 @@ fn white_noise(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, 
 /// [`white_noise`], and what the model makes of it at [`LATER_S`].
 fn white(n: usize, patch_m: f64, deviation_m: f64) -> (Cascade, WaveData, Fields) {
     let (cascade, data, h0, omegas) = white_noise(n, patch_m, deviation_m);
-    let fields = surface::fields_at(&h0, &cascade, &omegas, LATER_S);
+    let fields = surface::fields_at(&h0, &cascade, f64::INFINITY, &omegas, LATER_S);
     (cascade, data, fields)
 }
 
@@ -299,4 +300,34 @@ fn all_cascades_take_two_dispatches_and_the_largest_four() {
     }
     assert_eq!(dispatches(2048, Precision::Half), 4);
     assert_eq!(dispatches(2048, Precision::Single), 8);
+}
+
+#[test]
+fn a_sea_on_a_shelf_moves_farther_to_and_fro() {
+    // 15 m deep: waves of 100 m go 1.36 times as far as they rise, those of 20 m as far.
+    let tables = SeaTables::new(Sea::new(13.9, SpectrumKind::Tma, None, None, 7, 1.0), 128);
+    let ticks = waves::ticks_from_unix(1.7e9);
+    let data = WaveData::of(&tables);
+    let got = transformed(&gpu(), &tables.cascades, &data, ticks);
+    let cascade = &tables.cascades[0];
+    let h0 = waves::initial_amplitudes(&tables.sea, 0, cascade);
+    let (depth_m, t) = (tables.sea.depth_m, waves::TICKS_PER_SECOND.recip() * ticks as f64);
+    let omegas = tables.frequencies(cascade);
+    // By the phases of the clock, which seconds in f64 would have to a radian's thousandth only.
+    let phases: Vec<f64> =
+        omegas.iter().map(|&omega| surface::phase_at(waves::cycles_per_tick(omega), ticks) / t).collect();
+    let [on_shelf, deep] =
+        [depth_m, f64::INFINITY].map(|depth_m| surface::fields_at(&h0, cascade, depth_m, &phases, t));
+    for (field, (want, deep)) in in_order(&on_shelf).into_iter().zip(in_order(&deep)).enumerate() {
+        let (error, without) = (worst_over_rms(&got[0][field], want), worst_over_rms(&got[0][field], deep));
+        println!("field {field}: {error:.2e}, {without:.2e} off those of deep water's chop");
+        assert!(error < TOLERANCE, "field {field}: {error:e}");
+        // Heights and their slopes know nothing of it.
+        let is_chop = [0, 1, 3, 6, 7].contains(&field);
+        assert!(is_chop == (without > 0.1), "field {field}: {without}");
+    }
+    // Where the model's own D comes from: for a single wave the orbit of linear theory, cosh over sinh of kh.
+    for (k, ratio) in [(std::f64::consts::TAU / 100.0, 1.35803), (std::f64::consts::TAU / 20.0, 1.00016)] {
+        assert!((dispersion::orbit_ratio(k, 15.0) - ratio).abs() < 1e-4);
+    }
 }

@@ -212,7 +212,7 @@ fn structs_have_the_same_members_at_the_same_places() {
         fft::source(64, Precision::Half, Wanted::All),
         "Evolution",
         fft::Evolution,
-        [ticks, cascade_count, sharpened, patches, scales]
+        [ticks, depth, sharpened, patches, scales]
     );
     assert_mirror!(spindrift::source(), "Plume", spindrift::Plume, [base, strength, light, seed, size, unused]);
     assert_mirror!(

@@ -33,7 +33,7 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     let gamma = breaker_index(a.w, a.x, a.y);
     let breaks = breaking_depth(a.x, k_deep, gamma);
     let turn = sine_cosine(1.9);
-    let surface = wave_surface(wave_shape(a.x, y, a.z, 0.3), vec2f(turn.cosine, turn.sine));
+    let surface = wave_surface(wave_shape(a.x, y, a.z, 0.3, 1.0), vec2f(turn.cosine, turn.sine));
     found[id.x] = Found(vec4f(y, shoaling(y), gamma, breaks), vec4f(broken_height(0.6, a.w, gamma), surface, 0.0));
 }";
 
@@ -54,7 +54,7 @@ fn breakers_are_those_of_the_model() {
         let [height, omega, depth, slope] = asked.map(f64::from);
         let k = dispersion::wavenumber(omega, depth);
         let gamma = surf::breaker_index(slope, height, omega);
-        let [rise, tilt] = surf::Shape::new(height, k, depth, 0.3).surface(1.9);
+        let [rise, tilt] = surf::Shape::new(height, k, depth, 0.3, 1.0).surface(1.9);
         let wanted = [
             k * depth,
             dispersion::shoaling(k, depth),

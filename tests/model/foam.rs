@@ -47,7 +47,7 @@ fn thresholds_rise_with_the_foam_that_is_wanted() {
     let (spectrum, patches) = (sea.spectrum(), waves::cascades(256));
     let texels_m = [0.25, 2.25];
     let folds_of = |wanted, lifetime_s| {
-        foam::Simulation::new(&spectrum, &patches, texels_m).folds(1.0, [0.2, 1.0], wanted, lifetime_s)
+        foam::Simulation::new(&spectrum, f64::INFINITY, &patches, texels_m).folds(1.0, [0.2, 1.0], wanted, lifetime_s)
     };
     let folds = |wanted| folds_of(wanted, LIFETIME_S);
     let by_share = [0.001, 0.01, 0.03, 0.1].map(folds);

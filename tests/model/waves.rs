@@ -46,7 +46,7 @@ fn golden_patch() {
             assert!((h[part] - want).abs() < PRINTED, "{key}[{index}]: {} against {want}", h[part]);
         }
     }
-    let got = surface::fields_at(&h0, &cascade, &omega, t);
+    let got = surface::fields_at(&h0, &cascade, f64::INFINITY, &omega, t);
     let derived = |f: &dyn Fn(ChopGradient, usize) -> f64| -> Vec<f64> {
         (0..n * n).map(|index| f(got.chop_gradient(index, chop), index)).collect()
     };
@@ -224,7 +224,7 @@ fn fields_at_ticks_are_fields_at_seconds() {
     let h0 = initial_amplitudes(&sea(8.0, 1), 1, &patch);
     let (a, b) = (
         surface::fields(&h0, &patch, ticks_from_unix(50.0)),
-        surface::fields_at(&h0, &patch, &angular_frequencies(&patch, f64::INFINITY), 50.0),
+        surface::fields_at(&h0, &patch, f64::INFINITY, &angular_frequencies(&patch, f64::INFINITY), 50.0),
     );
     let height = 0.25 * sea_state::significant_height(8.0);
     // A phase in 2^-32 cycle is off by 1.5e-9 at most, and so is each wave.

@@ -89,11 +89,11 @@ pub fn kept(patch: &Cascade, texel_m: f64, kx: f64, ky: f64) -> f64 {
 }
 
 impl<const N: usize> Simulation<N> {
-    /// The simulation of a sea's waves as levels with texels of `texels_m` (increasing, m) see them, still without any point;
-    /// `patches` hold the waves.
-    pub fn new(spectrum: &dyn DirectionalSpectrum, patches: &[Cascade], texels_m: [f64; N]) -> Self {
+    /// The simulation of a sea's waves over water `depth_m` deep as levels with texels of `texels_m` (increasing, m) see them, still without any
+    /// point; `patches` hold the waves.
+    pub fn new(spectrum: &dyn DirectionalSpectrum, depth_m: f64, patches: &[Cascade], texels_m: [f64; N]) -> Self {
         let empty = |_| Series { gradients: Vec::with_capacity(POINTS * INSTANTS), lowest: Vec::with_capacity(POINTS) };
-        Self { waves: components(spectrum, patches, texels_m), levels: std::array::from_fn(empty) }
+        Self { waves: components(spectrum, depth_m, patches, texels_m), levels: std::array::from_fn(empty) }
     }
 
     /// The simulation with single waves besides those of the spectrum.
@@ -159,6 +159,7 @@ impl<const N: usize> Simulation<N> {
 /// Waves that carry the energy of the spectrum in bands of wave number and direction.
 fn components<const N: usize>(
     spectrum: &dyn DirectionalSpectrum,
+    depth_m: f64,
     patches: &[Cascade],
     texels_m: [f64; N],
 ) -> Vec<Component<N>> {
@@ -172,7 +173,7 @@ fn components<const N: usize>(
     let ratio = libm::pow(to / from, 1.0 / BANDS as f64);
     for band in 0..BANDS {
         let k0 = from * libm::pow(ratio, band as f64);
-        // Slope variance that each level sees of the waves of each direction. A band is wider than the spectrum's peak and than the
+        // Variance of ∇·D that each level sees of the waves of each direction. A band is wider than the spectrum's peak and than the
         // end of what a texel sees, and a little too much variance is half as many whitecaps again: summed in parts.
         let mut seen = [[0.0; N]; DIRECTIONS.len()];
         let part = libm::pow(ratio, 1.0 / PARTS as f64);
@@ -181,19 +182,20 @@ fn components<const N: usize>(
             let Some(patch) = patches.iter().find(|patch| k < patch.k_max) else { break };
             let density = DIRECTIONS.map(|angle| spectrum.density(k * libm::cos(angle), k * libm::sin(angle)));
             let total: f64 = density.iter().sum();
-            let slopes = k * k * spectrum.omnidirectional(k) * k * libm::log(part);
+            let stretch = k * dispersion::orbit_ratio(k, depth_m);
+            let stretches = stretch * stretch * spectrum.omnidirectional(k) * k * libm::log(part);
             for ((angle, density), seen) in DIRECTIONS.iter().zip(density).zip(&mut seen).filter(|_| total > 0.0) {
                 let (sin, cos) = libm::sincos(*angle);
                 for (seen, texel_m) in seen.iter_mut().zip(texels_m) {
                     let kept = kept(patch, texel_m, k * cos, k * sin);
-                    *seen += slopes * density / total * kept * kept;
+                    *seen += stretches * density / total * kept * kept;
                 }
             }
         }
-        let omega = dispersion::omega_deep(k0 * libm::sqrt(ratio));
+        let omega = dispersion::omega_finite(k0 * libm::sqrt(ratio), depth_m);
         for (angle, seen) in DIRECTIONS.iter().zip(seen).filter(|(_, seen)| seen.iter().any(|seen| *seen > 0.0)) {
             let (sin, cos) = libm::sincos(*angle);
-            // A wave a cos(kx − ωt) has the variance a²/2 and −a kx²/k cos(…) as dDx/dx.
+            // A wave a cos(kx − ωt) has the variance a²/2 and −a coth kh kx²/k cos(…) as dDx/dx.
             let gradient =
                 [cos * cos, sin * sin, sin * cos].map(|part| seen.map(|seen| (-part * libm::sqrt(seen)) as f32));
             waves.push(Component { gradient, omega, is_single: false });

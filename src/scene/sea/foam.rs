@@ -71,7 +71,7 @@ impl Whitecaps {
         }
         let (share, lifetime_s) = (whitecaps.share, foam.lifetime_s);
         let texels_m = whitecaps.breaking_m;
-        let simulation = Simulation::new(&sea.sea.drawn_spectrum(), &sea.cascades, texels_m);
+        let simulation = Simulation::new(&sea.sea.drawn_spectrum(), sea.sea.depth_m, &sea.cascades, texels_m);
         let simulation = simulation.with_modes(&sea.sea.modes(), &sea.cascades, texels_m);
         let folds = simulation.folds(sea.sea.chop, texels_m.map(softness), share, lifetime_s);
         Self { folds, ..whitecaps }

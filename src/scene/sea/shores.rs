@@ -168,7 +168,7 @@ impl Shores {
         if tiles.is_empty() || sea.sea.hs_m == 0.0 {
             return true;
         }
-        // The number of samples is no matter, nor is the chop.
+        // To windows the number of samples is no matter, nor is the chop.
         let of = [wind_from, world.beach_slope()];
         let is_same = |(kept, kept_of): &(Arc<SeaTables>, [f64; 2])| {
             let same =
@@ -179,8 +179,8 @@ impl Shores {
             self.windows.clear();
             self.trains = trains(sea);
             self.taken_m2 = taken_m2(sea);
-            self.sea = Some((sea.clone(), of));
         }
+        self.sea = Some((sea.clone(), of));
         let Some(trains) = self.trains else { return true };
         self.wanted = tiles;
         let wanted = &self.wanted;

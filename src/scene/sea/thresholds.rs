@@ -37,7 +37,7 @@ impl Thresholds {
         }
         if self.simulated.as_ref().is_none_or(|(of, _)| !of.has_waves_of(sea)) {
             let (texels_m, patches) = (breaking_m(&sea.sea), &sea.cascades);
-            let simulation = Simulation::new(&sea.sea.drawn_spectrum(), patches, texels_m);
+            let simulation = Simulation::new(&sea.sea.drawn_spectrum(), sea.sea.depth_m, patches, texels_m);
             self.simulated = Some((sea.clone(), simulation.with_modes(&sea.sea.modes(), patches, texels_m)));
             self.wanted = None;
         }

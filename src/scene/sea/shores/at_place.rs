@@ -96,7 +96,7 @@ impl Shores {
         let rms_deep_m = 2.0 * libm::sqrt(wanted * energy_m2);
         let patches = TAKEN.map(|part| left(part * part));
         (found > 0.0).then(|| ShoreWaves {
-            wave: sum.wave(omega, water, wanted),
+            wave: sum.wave(omega, water, wanted, sea.sea.chop),
             hs_m: surf::significant_height(omega, water, rms_deep_m),
             similarity: surf::usual_similarity(omega, water, rms_deep_m),
             share,
