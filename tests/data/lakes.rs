@@ -64,8 +64,8 @@ fn lakes_beyond_the_table_are_level_and_as_high_as_the_terrain_can_tell() {
         errors.push((level_m - true_m).abs());
     }
     errors.sort_by(f64::total_cmp);
-    // Nine of them lie where land is flat, where rounding is all there is.
-    assert!(errors[8] < 1.5 * ROUNDED_M, "{errors:?}");
+    // All but two: of the terrain that it has been rounded to, and half of a step more.
+    assert!(errors[12] < 1.5 * ROUNDED_M, "{errors:?}");
 }
 
 #[test]

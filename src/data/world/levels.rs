@@ -3,11 +3,12 @@
 //! ```text
 //!   a place's tile        its coarser tiles             the middle of that line's box     up to 3 levels finer
 //!   the line at its  ───▶ the same lake, as long as ───▶ which is everyone's, whatever ───▶ the finest line that no border cuts:
-//!   shore (or a cut one)  it is large enough to show    tile they began with              the lowest fifth of the terrain's cells there
+//!   shore (or a cut one)  it is large enough to show    tile they began with              the lowest tenth of the terrain's cells there
 //! ```
 //!
 //! The terrain's cells are 9 km wide: by a shore between mountains they hold half of these. So the lowest of the four values around a place of
-//! the shore counts, and of these the 20th percentile.
+//! the shore counts, and of these the 10th percentile: so 87 lakes whose levels are known are 21 m off in the median, one in five by over
+//! 100 m (by the 20th, one in four; by the lowest, one in four).
 //! A river has no level of its own but falls along its course: near a place it is about as low as the lowest cells that it passes within
 //! [`RIVER_REACHES_TEXELS`], smoothly.
 //!
@@ -40,7 +41,7 @@ const REACH_M: f64 = 100_000.0;
 /// Terrain deeper than this tells nothing more of a lake.
 const DEEPEST_TERRAIN: u8 = 8;
 /// Which part of a shore's cells is lower than the lake.
-const LOWER: f64 = 0.2;
+const LOWER: f64 = 0.1;
 /// Cells of a tile's lines, at most.
 const MOST_CELLS: usize = 1 << 14;
 /// Tiles of the terrain in which these may lie: many more would not stay in the cache until the last is there.
