@@ -88,7 +88,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
         // No gust is as wide as its pixels.
         let rough = slopes_in(sea, rest, distance, footprint, 1.0).rough;
         water = WaterPoint(rest, -direction, up, up, along_wind(up), rough, water_alpha(depth),
-            water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth, 1.0), foam, MEAN_FACETS, vec3f(0.0));
+            water_kind(point, sin_lat, depth), Bed(lit.radiance, 2.0 * depth, 1.0), foam, MEAN_FACETS, vec3f(0.0), NO_LAND);
         water_share = ocean;
     }
     let radiance = mix(lit.radiance, water_radiance(water, light, clear), water_share);

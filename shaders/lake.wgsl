@@ -3,12 +3,14 @@
 #import sea_mesh
 #import inland
 #import lace
+#import mirrored_land
 #import gusts
 #import spray
 #import translucence
 #import crest_pixels
 #import output
 
+@group(2) @binding(0) var scene_colour: texture_2d<f32>;
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const MIRRORS_CLOUDS = FINE;
@@ -49,7 +51,10 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let ahead = dot(direction, frame.ray_forward);
     let nearest = ahead * select(distance, min(distance, level_hit), level_hit >= 0.0);
     let pixel = vec2u(in.position.xy);
-    if distance < 0.0 || textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > NEAR {
+    // Coarse triangles slope up to its shores before it: what they show there is water.
+    let scene = textureLoad(scene_colour, pixel, 0);
+    let is_land = MEASURED || scene.a > 0.5;
+    if distance < 0.0 || (is_land && textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > NEAR) {
         discard;
         return vec4f(0.0);
     }
@@ -63,8 +68,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !MEASURED && !is_chord { footprint = behind_crest(footprint, area); }
     let point = map_point(dn);
     let ground = ground_amid(point, sin_lat, max(across, 1.0), in.grid);
-    // At the shore, where there are no waves, the land's own pixels hold both.
-    if inland_share(ground, footprint) < 1.0 || ground.by_river || abs(lake_at(point).x - frame.water_level) > SAME_LEVEL {
+    let share = inland_share(ground, footprint);
+    if share <= 0.0 || ground.by_river || abs(lake_at(point).x - frame.water_level) > SAME_LEVEL {
         discard;
         return vec4f(0.0);
     }
@@ -89,7 +94,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var water = inland_water(rest, ground, direction, up, normal, slopes.rough, foam);
     water.facets = facets_at(foam_at, across, grazing);
     water.glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
+    if !MEASURED { water.land = mirrored_land(water, pixel); }
     let radiance = through_air(water_radiance(water, light, clear), light, up, direction, distance);
-    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
+    // At the shore the land's own pixels hold both.
+    if !MEASURED { return mix(scene, vec4f(radiance * frame.exposure, 1.0), share); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, frame.water_level + in.height, normal, water_class(ground), 0.0, vec3f(0.0)), radiance);
 }

@@ -249,7 +249,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }
-    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0); }
+    // Where it is inland water, lake.wgsl may lay the lake's mesh over it.
+    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0 - inland); }
     let rest = surface_from_normal_delta(at.dn);
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
 }

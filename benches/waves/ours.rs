@@ -39,7 +39,7 @@ pub fn fft(gpu: &Gpu, n: usize, layers: usize, precision: Precision) -> Fft {
 
 fn model(n: usize) -> Fields {
     let (cascade, h0, omegas) = white(n);
-    surface::fields_at(&h0, &cascade, &omegas, INSTANT_S)
+    surface::fields_at(&h0, &cascade, f64::INFINITY, &omegas, INSTANT_S)
 }
 
 /// The transform of `n` samples in 32-bit floats against the model, to 1e-5 of the RMS as in the tests.

@@ -42,6 +42,6 @@ fn on_beach(dry: vec3f, at: Place, direction: vec3f, up: vec3f, footprint: Metre
     let out = out_of_beach(at.ground.ocean_shore, width);
     let sand = moist * mix(1.0, WET_SAND, sandy * swash.damp * (1.0 - out * out)) * mix(vec3f(1.0), WRACK, sandy * swash.wrack);
     let film = water_radiance(WaterPoint(direction * at.distance, -direction, up, normal, along_wind(up), rough, 0.0, BEACH_KIND,
-        Bed(moist, 2.0 * swash.film, 1.0), foam, MEAN_FACETS, vec3f(0.0)), light, clear);
+        Bed(moist, 2.0 * swash.film, 1.0), foam, MEAN_FACETS, vec3f(0.0), NO_LAND), light, clear);
     return mix(sand, film, sandy * max(sheen, swash.foam) * (1.0 - out));
 }

@@ -80,7 +80,7 @@ fn on_river(lake: LocalSea, ground: Ground) -> LocalSea {
 // A deep lake, or a river.
 fn inland_water(at: vec3f, ground: Ground, direction: vec3f, up: vec3f, normal: vec3f, rough: vec2f, foam: Foam) -> WaterPoint {
     let kind = select(LAKE_KIND, RIVER_KIND, ground.by_river);
-    return WaterPoint(at, -direction, up, normal, along_wind(up), rough, 1.0, kind, Bed(vec3f(0.0), 0.0, 1.0), foam, MEAN_FACETS, vec3f(0.0));
+    return WaterPoint(at, -direction, up, normal, along_wind(up), rough, 1.0, kind, Bed(vec3f(0.0), 0.0, 1.0), foam, MEAN_FACETS, vec3f(0.0), NO_LAND);
 }
 
 // 1 ocean, 2 lake, 3 river, 0 land.

@@ -9,6 +9,7 @@
 #import lace
 #import rollers
 #import limb
+#import mirrored_land
 #import crest_pixels
 #import gusts
 #import shore_pixels
@@ -186,8 +187,10 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     if WAVES && FINE {
         glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, kind, foam.plume, light.sun);
     }
-    let water = water_radiance(WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
-        kind, bed, foam, facets, glow), light, clear);
+    var point_of_water = WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
+        kind, bed, foam, facets, glow, NO_LAND);
+    if FINE && (SURF || !WAVES) && !MEASURED { point_of_water.land = mirrored_land(point_of_water, pixel); }
+    let water = water_radiance(point_of_water, light, clear);
     var covers = share;
     if FINE && SURF {
         // Sand that waves run over shines as water does: either mirrors the sky where the other ends, at the place where a sight meets level water, as land has it.

@@ -5,6 +5,7 @@
 #import water
 #import translucence
 #import caustic_map
+#import hash
 #import held
 
 // What an image loses besides, per metre: light that is scattered off a beam. By kind of water, 0 gyre to 5 turbid; ours, after visibilities
@@ -71,10 +72,6 @@ fn seen_through(w: Underwater, radiance: vec3f, altitude: Metres, direction: vec
 }
 
 const BED_ALBEDO = vec3f(0.55, 0.52, 0.44);    // of coral sand under water; in the mean, ours
-
-// A number from 0 to 1 for each pixel, even over neighbours (J. Jimenez 2014, "interleaved gradient noise"): for sums of few steps, which
-// would show as bands if they were the same everywhere.
-fn spread_evenly(pixel: vec2f) -> f32 { return fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715)))); }
 
 const RAY_STEPS = 12u;
 const RAYS_SHOWN = 0.5;            // of their contrast; ours

@@ -58,6 +58,22 @@ struct WaterPoint {
     foam: Foam,
     facets: Facets,
     glow: vec3f,           // radiance through crests, below the surface
+    land: vec4f,           // radiance of land that it mirrors, and how much of what it mirrors that is
+}
+
+const NO_LAND = vec4f(0.0);
+
+// What the facets of a place mirror to the eye, in the mean: how much, from where, and the variance of their slopes along the view.
+struct MirroredSight { reflectance: f32, toward: vec3f, variance: f32 }
+
+fn mirrored_sight(w: WaterPoint) -> MirroredSight {
+    let cos_view = dot(w.normal, w.to_eye);
+    let variance = variance_towards(w.to_eye, w.up, w.along, w.rough);
+    let mean = rough_mirror(cos_view, variance);
+    let away = cos_view * w.normal - w.to_eye;
+    let toward = mean.sine * w.normal + sqrt(max(1.0 - mean.sine * mean.sine, 0.0)) * away / max(length(away), 1e-6);
+    // What would come from under the horizon has been mirrored before, by other water.
+    return MirroredSight(mean.reflectance, toward + 2.0 * max(-dot(toward, w.up), 0.0) * w.up, variance);
 }
 
 // `light`: the daylight at the point; `clear`: what it would be without clouds.
@@ -65,16 +81,11 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     let mu_sun = dot(frame.light, w.up);
     let sun = light.sun;
     let ambient = light.sky;
-    let cos_view = dot(w.normal, w.to_eye);
-    let mean = rough_mirror(cos_view, variance_towards(w.to_eye, w.up, w.along, w.rough));
-    let reflectance = mean.reflectance;
-    let away = cos_view * w.normal - w.to_eye;
-    var mirrored = mean.sine * w.normal + sqrt(max(1.0 - mean.sine * mean.sine, 0.0)) * away / max(length(away), 1e-6);
-    // What would come from under the horizon has been mirrored before, by other water.
-    mirrored += 2.0 * max(-dot(mirrored, w.up), 0.0) * w.up;
-    var sky = sky_at_sea(mirrored, w.up);
-    if CLOUDS { sky = clouded_sky(sky, clear, light.cover, w.at, dot(mirrored, w.up), w.up); }
-    let reflected = sky * reflectance;
+    let sight = mirrored_sight(w);
+    let reflectance = sight.reflectance;
+    var sky = sky_at_sea(sight.toward, w.up);
+    if CLOUDS { sky = clouded_sky(sky, clear, light.cover, w.at, dot(sight.toward, w.up), w.up); }
+    let reflected = mix(sky, w.land.rgb, w.land.a) * reflectance;
     let mean_glitter = glitter(w.to_eye, frame.light, w.normal, w.up, w.along, w.rough);
     let glints = light.disc * sun * mean_glitter.radiance;
     let down = sun * max(mu_sun, 0.0) + ambient;

@@ -66,7 +66,7 @@ impl Side {
         // Albedos are of the ground, under lakes too.
         let u = &frame.uniform;
         let shows_land = u.layers & SHOWS_LAND != 0 && u.output != Output::Albedo as u32;
-        let meshes_lake = shows_lakes && shows_land && kind.meshes_lakes() && frame.lake.is_some();
+        let meshes_lake = shows_land && kind.meshes_lakes() && frame.lake.is_some();
         let is_amid_lake = meshes_lake && is_lake && lake_m > AMID_LAKE_M;
         let inland_m = place.and_then(|place| place.shore_distance_m).map_or(0.0, |shore_m| -shore_m);
         let shows_ocean = inland_m < INLAND * WGS84.horizon_distance(frame.camera.altitude_m.max(0.0)) + INLAND_M;

@@ -26,7 +26,7 @@ fn glow(@builtin(global_invocation_id) id: vec3u) {
     let a = asked[id.x];
     let up = vec3f(0.0, 0.0, 1.0);
     let water = WaterPoint(vec3f(0.0), a.to_eye, up, a.normal, vec3f(1.0, 0.0, 0.0), a.rough * vec2f(1.2, 0.8), 0.0, 1.0, Bed(vec3f(1.0), 0.0, 1.0),
-        flat_foam(a.white, 0.0), MEAN_FACETS, vec3f(0.0));
+        flat_foam(a.white, 0.0), MEAN_FACETS, vec3f(0.0), NO_LAND);
     let light = daylight_at(dot(frame.light, up));
     found[id.x] = vec4f(water_radiance(water, light, light), 1.0);
 }";

@@ -13,6 +13,7 @@ mod imagery;
 mod light;
 mod luminance;
 mod meshes;
+mod mirrored_land;
 mod night;
 mod own_world;
 mod plane_beach;

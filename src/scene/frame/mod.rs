@@ -146,6 +146,8 @@ pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
 
 /// The globe is one disc from this height on, metres: the limb is then well below the horizon.
 const LOWEST_GLOBE_M: f64 = 500_000.0;
+/// So far over a lake, metres, an eye sees land mirrored in it, be it as calm as it may: only its mesh mirrors land.
+const LAKE_MIRRORS_M: f64 = 400.0;
 
 impl Frame {
     /// The frame that `camera` sees at a UTC instant, `size` in pixels, in a sea made for it alone.
@@ -364,7 +366,7 @@ impl Frame {
 }
 
 /// What is drawn of the lake around an eye over it, with `sea`'s waves as land lets them grow there, if it is one whose level is known and they are
-/// not much smaller than its nearest pixels.
+/// not much smaller than its nearest pixels, or it is near enough to mirror its shores.
 fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, camera: &Camera) -> Option<LakeSurface> {
     if !settings.quality.is_fine() {
         return None;
@@ -374,7 +376,8 @@ fn lake(u: &FrameUniform, seas: &Seas, sea: &SeaTables, settings: &Settings, cam
     let over_m = camera.altitude_m - level_m;
     let hs_m = seas.shelter.hs_m(sea, Water::Lake, camera.lat, camera.lon);
     // As long as a crest is a quarter of a pixel.
-    if over_m <= 0.0 || over_m * f64::from(u.pixel_angle) >= 4.0 * hs_m {
+    let is_far = over_m > LAKE_MIRRORS_M && over_m * f64::from(u.pixel_angle) >= 4.0 * hs_m;
+    if over_m <= 0.0 || is_far {
         return None;
     }
     let mut uniform = *u;
