@@ -65,7 +65,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }
     let ground_across = ground_footprint(across, direction, up);
     let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
-    let lit = lit_ground(Place(distance, dn, point, vec2f(0.0), sin_lat, ground, SANDY_SHORE), direction, up, up, ground_across, width, NO_RELIEF, light, 0.0);
+    let lit = lit_ground(Place(distance, dn, point, vec2f(0.0), sin_lat, ground, SANDY_SHORE, 0.0), direction, up, up, ground_across, width, NO_RELIEF, light, 0.0);
 
     // Water that is seen, and how much of the pixel it fills.
     let ocean = ocean_share(ground, width);

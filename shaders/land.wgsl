@@ -125,7 +125,10 @@ fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f,
     if (FINE || MEASURED) && !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     // Vertices farther out have not looked it up: it ends before, whatever their spacing is.
     let known = (1.0 - smoothstep(0.5 * KIND_REACH, KIND_REACH, ground.ocean_shore)) * kind;
-    return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(known.x, known.y, known.z));
+    // The bed goes over to the sea's own, here sooner and there later, or rings would lie about islets.
+    let torn = 1.0 + 2.5 * map_noise(point.at, 16u, 85u) + map_noise(point.at, 18u, 86u);
+    let bed = 1.0 - smoothstep(0.0, KIND_REACH, torn * ground.ocean_shore);
+    return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(known.x, known.y, known.z), bed);
 }
 
 // A lake or a river with the waves that the wind raises over its own fetch: near ones bend its normal. That of the lake around the eye is mostly

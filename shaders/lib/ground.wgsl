@@ -48,8 +48,8 @@ fn ground_footprint(across: Metres, direction: vec3f, up: vec3f) -> Metres {
     return across / sqrt(max(abs(dot(direction, up)), 0.05));
 }
 
-// What a pixel shows of the ground, and where. `kind`: of its shore; pixels so wide show nothing of it may have none.
-struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground, kind: ShoreKind }
+// What a pixel shows of the ground, and where. `kind`: of its shore; pixels so wide show nothing of it may have none. `bed`: how far the bed is of that kind.
+struct Place { distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, sin_lat: f32, ground: Ground, kind: ShoreKind, bed: f32 }
 
 // `sandy`: how much of a beach there may be, between cliffs and snow; none of a bed is one.
 struct LitGround { normal: vec3f, albedo: vec3f, radiance: vec3f, sandy: f32 }
@@ -180,7 +180,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);

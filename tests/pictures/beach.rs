@@ -106,5 +106,16 @@ fn shores_are_of_sand_where_slope_latitude_and_shape_say_so() {
         ],
         |[red, _]| red < 0.2,
     );
+    // Snow and ice are brighter than either, and white or blue.
+    let no_ice = judged(
+        &[
+            ("Ross Ice Shelf", -78.3655, -175.0),
+            ("Ross Ice Shelf, west", -77.8583, 178.0),
+            ("Brunt Ice Shelf", -75.4822, -27.0),
+            ("Ronne Ice Shelf", -77.9374, -45.0),
+        ],
+        |[red, over_blue]| red > 0.5 && over_blue < 0.0,
+    );
     assert!(no_sand.is_empty() && sand.is_empty(), "without sand: {no_sand:?}; with sand: {sand:?}");
+    assert!(no_ice.is_empty(), "without ice: {no_ice:?}");
 }
