@@ -1,5 +1,5 @@
 // The lake around the eye, by the sea's grid on a surface at its level (src/scene/frame/place.rs), over the land pass's, which draws it flat. Other
-// lakes, this one's shores, and all of it from where its waves are smaller than pixels, are the land's alone, with the same light.
+// lakes, and all of it from where its waves are smaller than pixels and it is too far below to mirror land, are the land's alone, with the same light.
 #import sea_mesh
 #import inland
 #import lace
@@ -53,8 +53,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let pixel = vec2u(in.position.xy);
     // Coarse triangles slope up to its shores before it: what they show there is water.
     let scene = textureLoad(scene_colour, pixel, 0);
-    let is_land = MEASURED || scene.a > 0.5;
-    if distance < 0.0 || (is_land && textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > NEAR) {
+    let before = select(1.0, LAND_BEFORE, !MEASURED && scene.a <= 0.0);
+    if distance < 0.0 || textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > before * NEAR {
         discard;
         return vec4f(0.0);
     }
@@ -96,7 +96,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     water.glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);
     if !MEASURED { water.land = mirrored_land(water, pixel); }
     let radiance = through_air(water_radiance(water, light, clear), light, up, direction, distance);
-    // At the shore the land's own pixels hold both.
-    if !MEASURED { return mix(scene, vec4f(radiance * frame.exposure, 1.0), share); }
+    // At the shore the land's own pixels hold both, by their share of either.
+    if !MEASURED { return mix(scene, vec4f(radiance * frame.exposure, 1.0), saturate(2.0 * share - 1.0)); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, frame.water_level + in.height, normal, water_class(ground), 0.0, vec3f(0.0)), radiance);
 }

@@ -126,8 +126,11 @@ fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f,
     // Vertices farther out have not looked it up: it ends before, whatever their spacing is.
     let known = (1.0 - smoothstep(0.5 * KIND_REACH, KIND_REACH, ground.ocean_shore)) * kind;
     // The bed goes over to the sea's own, here sooner and there later, or rings would lie about islets.
-    let torn = 1.0 + 2.5 * map_noise(point.at, 16u, 85u) + map_noise(point.at, 18u, 86u);
-    let bed = 1.0 - smoothstep(0.0, KIND_REACH, torn * ground.ocean_shore);
+    var bed = 0.0;
+    if ground.is_ocean {
+        let torn = 1.0 + 2.5 * map_noise(point.at, 16u, 85u) + map_noise(point.at, 18u, 86u);
+        bed = 1.0 - smoothstep(0.0, KIND_REACH, torn * ground.ocean_shore);
+    }
     return Place(distance, dn, point, part, sin_lat, ground, ShoreKind(known.x, known.y, known.z), bed);
 }
 
@@ -199,6 +202,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         // Each place is drawn by one square alone.
         is_own &= on_ellipsoid || square_of(found.sin_lat) == in.tile.x;
         if !is_second || !found.ground.is_ocean { at = found; }
+        // A triangle that passes a hand's width under the waterline is seen metres from it: water that runs up the beach ends where the sea's surface begins.
+        at.ground.ocean_shore = min(at.ground.ocean_shore, found.ground.ocean_shore);
         // Where the shore is farther away than either place is from the other, none stands there; it is known to a texel.
         let apart = abs(found.distance - far_hit) + found.ground.texel;
         let is_bed = found.ground.is_ocean && found.ground.ocean_shore <= apart && shows_sea && !UNDER_WATER && !on_ellipsoid
@@ -252,8 +257,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }
-    // Where it is inland water, lake.wgsl may lay the lake's mesh over it.
-    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0 - inland); }
+    // Below 0 where most of it is inland water, over which lake.wgsl may lay the lake's mesh.
+    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0 - 2.0 * inland); }
     let rest = surface_from_normal_delta(at.dn);
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
 }

@@ -416,11 +416,11 @@ impl Renderer {
     fn upload(&mut self, frame: &Frame) -> Side {
         let side = self.side(frame);
         let deepest = self.streaming.pages.deepest();
-        let water = (side.depth_m.unwrap_or(0.0), side.is_cut);
+        let water = (side.depth_m.unwrap_or(0.0), side.is_cut, side.mirrors_land);
         let world = (self.resolution_m(), deepest);
         self.frame_group.upload(&self.gpu, (&frame.uniform, &frame.wave_cells), world, water);
         if let Some(lake) = frame.lake.as_ref().filter(|_| side.meshes_lake) {
-            self.lake_group.upload(&self.gpu, (&lake.uniform, &lake.wave_cells), world, (0.0, false));
+            self.lake_group.upload(&self.gpu, (&lake.uniform, &lake.wave_cells), world, (0.0, false, true));
         }
         side
     }

@@ -117,8 +117,8 @@ const ICE_TRAILS = vec2f(1500.0, 350.0);        // metres by which each bends th
 const ICE_FIBRES: Metres = 2400.0;              // as far apart are the widest
 const ICE_FIBROUS = 0.22;                       // variance of the logarithm of the depth, of the widest
 
-// How much of what goes on over a cell a footprint shows.
-fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0.15, 0.6, footprint / cell); }
+// How much of what goes on over a cell a footprint shows: fibres are lines, and lines that are not wider than the pixels of the sky's sketch are rows of dots.
+fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0.05, 0.25, footprint / cell); }
 
 // Optical depth of ice clouds straight up at a place: tufts, from which fibres trail, drawn out along the parallels but bent by the wind and by
 // each tuft its own way, since ice falls from it into other winds. They are many times as dense as the gaps between them.
@@ -140,7 +140,7 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
         cell *= 0.4;
         part *= 0.95;
         i++;
-        if i == 5u || footprint >= 0.6 * cell { break; }
+        if i == 5u || footprint >= 0.25 * cell { break; }
     }
     return 0.22 * exp(dense) * above * above / (1.0 + 0.5 * above);
 }

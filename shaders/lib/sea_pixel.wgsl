@@ -33,7 +33,8 @@ const FOLDS = 0.2;             // heights of the picture within its rim that sta
 // Radiance of the scene in a pixel, and how much more light waves have gathered there than a flat surface, of bed_light.wgsl.
 fn scene_seen(pixel: vec2u) -> vec4f {
     let seen = textureLoad(scene_colour, pixel, 0);
-    return vec4f(seen.rgb / max(frame.exposure, 1e-9), seen.a);
+    // Below 0 where it shows inland water.
+    return vec4f(seen.rgb / max(frame.exposure, 1e-9), select(1.0, seen.a, seen.a > 0.0));
 }
 
 // The pixel of the scene that shows a place on the bed: `own`, where something else stands before it, or sky. What lies beside the picture is
@@ -189,7 +190,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     }
     var point_of_water = WaterPoint(rest, -direction, up, normal, along_wind(up), slopes.rough * gusts(point, sin_lat, footprint), alpha,
         kind, bed, foam, facets, glow, NO_LAND);
-    if FINE && (SURF || !WAVES) && !MEASURED { point_of_water.land = mirrored_land(point_of_water, pixel); }
+    if FINE && !MEASURED { point_of_water.land = mirrored_land(point_of_water, pixel); }
     let water = water_radiance(point_of_water, light, clear);
     var covers = share;
     if FINE && SURF {

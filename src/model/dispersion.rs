@@ -71,9 +71,10 @@ pub fn shoaling(k: f64, h: f64) -> f64 {
     libm::sqrt(GRAVITY / (2.0 * omega_finite(k, h)) / group_velocity(k, h))
 }
 
-/// How much longer than high the orbits of the water at the surface are, coth kh; 1 in deep water, and for no wave.
+/// How much longer than high the orbits of the water at the surface are, coth kh; 1 in deep water, and for no wave. At most a million: as if no water
+/// were less than a millionth of 1/k deep.
 pub fn orbit_ratio(k: f64, h: f64) -> f64 {
-    if k > 0.0 { 1.0 / tanh_kh(k, h) } else { 1.0 }
+    if k > 0.0 { 1.0 / tanh_kh(k, h).max(1e-6) } else { 1.0 }
 }
 
 fn tanh_kh(k: f64, h: f64) -> f64 {

@@ -237,7 +237,7 @@ impl Fft {
             let scale = |i: usize| self.scales.get(first + i / 2).map_or([1.0; 4], |pair| pair[i % 2]);
             let evolution = Evolution {
                 ticks: words(ticks),
-                depth: self.depth_m.min(f64::from(f32::MAX)) as f32,
+                depth: self.depth_m.min(1e6) as f32,
                 sharpened: u32::from(self.sharpened),
                 patches: std::array::from_fn(length),
                 scales: std::array::from_fn(scale),

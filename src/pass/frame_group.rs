@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::pipeline::Bind;
 use crate::model::wave_domain::MAX_CELLS;
-use crate::scene::frame::uniform::WaveCell;
+use crate::scene::frame::uniform::{MIRRORS_LAND, WaveCell};
 use crate::scene::frame::{FrameUniform, LENS_M};
 
 /// The group, its layout, and the buffers behind it.
@@ -61,8 +61,8 @@ impl FrameGroup {
     }
 
     /// Hands a frame's block and wave cells to the GPU, with what only the world knows: how wide the cells of the terrain's source are, the deepest
-    /// levels of the maps' page tables ([`PageTable::deepest`]), how deep the sea is at the eye's place, metres, and whether the water may cut
-    /// through the picture.
+    /// levels of the maps' page tables ([`PageTable::deepest`]), how deep the sea is at the eye's place, metres, whether the water may cut through
+    /// the picture, and whether land is so near that it mirrors it.
     ///
     /// [`PageTable::deepest`]: crate::data::streaming::PageTable::deepest
     pub fn upload(
@@ -70,11 +70,12 @@ impl FrameGroup {
         gpu: &Gpu,
         (block, wave_cells): (&FrameUniform, &[WaveCell; MAX_CELLS]),
         (terrain_resolution_m, deepest_pages): (f64, u32),
-        (depth_m, is_cut): (f64, bool),
+        (depth_m, is_cut, mirrors_land): (f64, bool, bool),
     ) {
         let uniform = FrameUniform {
             terrain_resolution: terrain_resolution_m as f32,
             deepest_pages,
+            layers: block.layers | if mirrors_land { MIRRORS_LAND } else { 0 },
             eye_depth: depth_m as f32,
             lens: if is_cut { LENS_M as f32 } else { 0.0 },
             ..*block

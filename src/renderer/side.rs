@@ -28,6 +28,8 @@ pub(super) struct Side {
     pub(super) meshes_lake: bool,
     /// And whether the eye is so far out on it that no other inland water is near.
     pub(super) is_amid_lake: bool,
+    /// Whether land is so near to an eye over the sea that this mirrors it.
+    pub(super) mirrors_land: bool,
     /// Whether any of the ocean may be seen: not from far inland.
     pub(super) shows_ocean: bool,
     /// Whether an eye over the water may see light that waves gather on the bed.
@@ -36,6 +38,8 @@ pub(super) struct Side {
 
 /// From an eye so far out on a lake, metres, the waves of other inland waters do not show: it is at most some kilometres up where its lake is a mesh.
 const AMID_LAKE_M: f64 = 5_000.0;
+/// No mirrored land is looked for whose shore is farther from the eye than this, metres: it is a degree high.
+const MIRRORED_FROM_M: f64 = 30_000.0;
 /// An eye sees no ocean whose shore is farther away than this many times the ellipsoid's horizon, and metres: coarse tiles tell distances to a few
 /// kilometres.
 const INLAND: f64 = 1.5;
@@ -55,7 +59,8 @@ impl Side {
         let shore_m = place.and_then(|place| place.shore_distance_m).map_or(f64::INFINITY, f64::abs);
         let lake_m = place.and_then(|place| place.lake_distance_m).unwrap_or(f64::NEG_INFINITY);
         let is_lake = place.is_some_and(|place| matches!(place.class, WaterClass::Lake | WaterClass::River));
-        let shows_lakes = frame.has_waves() && (is_lake || lake_m > -LAKES_SEEN_M);
+        let near_lake = is_lake || lake_m > -LAKES_SEEN_M;
+        let shows_lakes = frame.has_waves() && near_lake;
         let over_m = |shore| depth_m.map_or(f64::INFINITY, |depth_m| frame.over_water_m(depth_m, shore));
         // At the lens and from below the waves are those of the open sea: so they are all over a picture that these cut.
         let is_cut = blends && frame.has_light() && over_m(None).abs() < CUT_M;
@@ -66,11 +71,23 @@ impl Side {
         // Albedos are of the ground, under lakes too.
         let u = &frame.uniform;
         let shows_land = u.layers & SHOWS_LAND != 0 && u.output != Output::Albedo as u32;
-        let meshes_lake = shows_land && kind.meshes_lakes() && frame.lake.is_some();
+        let meshes_lake = near_lake && shows_land && kind.meshes_lakes() && frame.lake.is_some();
+        let mirrors_land = shows_land && shore_m < MIRRORED_FROM_M;
         let is_amid_lake = meshes_lake && is_lake && lake_m > AMID_LAKE_M;
         let inland_m = place.and_then(|place| place.shore_distance_m).map_or(0.0, |shore_m| -shore_m);
         let shows_ocean = inland_m < INLAND * WGS84.horizon_distance(frame.camera.altitude_m.max(0.0)) + INLAND_M;
-        Self { depth_m, kind, is_cut, shows_surf, shows_lakes, meshes_lake, is_amid_lake, shows_ocean, lights_bed }
+        Self {
+            depth_m,
+            kind,
+            is_cut,
+            shows_surf,
+            shows_lakes,
+            meshes_lake,
+            is_amid_lake,
+            mirrors_land,
+            shows_ocean,
+            lights_bed,
+        }
     }
 
     /// The kind of the picture from below, if there is one.

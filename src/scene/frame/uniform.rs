@@ -18,6 +18,8 @@ pub const SHOWS_LAND: u32 = 1;
 pub const SHOWS_SEA: u32 = 2;
 /// See [`SHOWS_LAND`].
 pub const SHOWS_SKY: u32 = 4;
+/// Land is so near that water mirrors it, as only the world knows.
+pub const MIRRORS_LAND: u32 = 8;
 
 /// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -265,7 +267,7 @@ gpu_struct! {
         haze: f32 = "f32",
         /// Wave cells that may serve what is seen.
         wave_cell_count: u32 = "u32",
-        /// Bit 0 land, 1 sea, 2 sky.
+        /// Bit 0 land, 1 sea, 2 sky; 3 where land is so near that water mirrors it.
         layers: u32 = "u32",
         /// 0 the picture, else a measured layer.
         output: u32 = "u32",
