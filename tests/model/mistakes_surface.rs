@@ -48,6 +48,34 @@ fn the_wrong_sign_of_the_chop() {
     near(waves::chop_level_m(&OracleSea, f64::INFINITY, 64.0 * patch.dk()[0] / 2.0, 0.9), sum, 0.02);
 }
 
+#[test]
+fn deep_waters_chop_on_a_shelf() {
+    // Waves about 46 m long over 5 m: water goes to and fro by coth kh, 1.7 times as far as up and down.
+    let (patch, depth_m) = (patch(300.0), 5.0);
+    let energies = cell_energies(&OracleSea, patch);
+    let omegas = waves::angular_frequencies(patch, depth_m);
+    let level = |depth_m: f64| {
+        let mean_of = |seed| {
+            let f = surface::fields_at(&amplitudes(&energies, seed, 0, patch), patch, depth_m, &omegas, 0.0);
+            f.eta.iter().enumerate().map(|(i, eta)| eta * f.chop_gradient(i, 0.9).jacobian()).sum::<f64>()
+        };
+        (0..20).map(mean_of).sum::<f64>() / (20 * patch.count()) as f64
+    };
+    // −λ Σ k coth kh E, by the cells.
+    let wave = |(e, (x, y)): (&f64, (f64, f64))| {
+        let k = x.hypot(y);
+        if k > 0.0 { -0.9 * e * k / (k * depth_m).tanh() } else { 0.0 }
+    };
+    let sum: f64 = energies.iter().zip(patch.wave_vectors()).map(wave).sum();
+    let [ours, theirs] = [level(depth_m), level(f64::INFINITY)];
+    println!("{ours:.4} m by the surface, {sum:.4} m by the sum, {theirs:.4} m with deep water's chop");
+    // Twenty seas know it to some per cent.
+    near(ours, sum, 0.1);
+    assert!((theirs / sum - 1.0).abs() > 0.2, "{theirs} with deep water's chop");
+    // The integral begins with longer waves than the patch holds, of a thousandth of the energy.
+    near(waves::chop_level_m(&OracleSea, depth_m, 64.0 * patch.dk()[0] / 2.0, 0.9), sum, 0.03);
+}
+
 /// Slope along the heading of a Gerstner wave of steepness `ak` at a phase, and the exact one.
 fn gerstner(heading: f64, ak: f64, phase: f64, slope: impl Fn(ChopGradient, [f64; 2]) -> [f64; 2]) -> [f64; 2] {
     let (sin, cos) = heading.sin_cos();
