@@ -11,8 +11,8 @@ pub fn shared_constants() -> String {
     let bits = [
         ("SHOWS_LAND", SHOWS_LAND),
         ("SHOWS_SEA", SHOWS_SEA),
-        ("MIRRORS_LAND", MIRRORS_LAND),
         ("SHOWS_SKY", SHOWS_SKY),
+        ("MIRRORS_LAND", MIRRORS_LAND),
         ("MIRROR_NODES", super::clouds::MIRROR_NODES),
         ("SHELTER_LEVELS", shelter::LEVELS as u32),
         ("SHELTER_SIDE", shelter::SIDE as u32),
@@ -38,6 +38,7 @@ pub fn shared_constants() -> String {
         ("ICE_HEIGHT", clouds::ICE_M),
         ("SURF_SEEN", super::SURF_SEEN_M),
         ("SURF_HIGHEST", super::SURF_HIGHEST_M),
+        ("LAKE_MIRRORS", super::LAKE_MIRRORS_M),
         ("CAUSTICS_HIGHEST", super::CAUSTICS_HIGHEST_M),
         ("USUAL_DENSITY", crate::scene::settings::USUAL_WATER_DENSITY_PER_M),
     ];
