@@ -22,7 +22,7 @@ fn vertex(@builtin(vertex_index) index: u32, @location(0) lamp: vec4f, @location
         let sin_lat = frame.sin_lat + sin_lat_delta(dn);
         let ground = ground_at(point, sin_lat, across);
         // As the ground's mesh holds it.
-        let made = made_relief(country_at(point, sin_lat), dn, sin_lat, ground, max(CELL_PIXELS * across, RELIEF_MESH_FOOTPRINT));
+        let made = made_relief(country_at(point, sin_lat), point, dn, sin_lat, ground, max(CELL_PIXELS * across, RELIEF_MESH_FOOTPRINT));
         dry = saturate(-ground.ocean_shore / max(across, SHORE));
         local += up * (max(ground.elevation + made.height, 0.0) + POST);
     }

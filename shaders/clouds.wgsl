@@ -53,7 +53,7 @@ const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as sha
 const CLOUD_GAPS: Metres = 120.0;
 const CLOUD_LEAST = 0.1;
 const CLOUD_THINNED = vec2f(0.8, 1.3);  // power of it: of heaps, of closed ones, through whose thin parts the sea shines
-const DECK_FROM = vec2f(40.0, 160.0);    // metres of a pixel from which and at which decks show how deep they are
+const DECK_FROM = vec2f(40.0, 120.0);    // metres of a pixel from which and at which decks show how deep they are
 const DECK_WITHIN: Metres = 20000.0;    // of the way through the clouds, in whose middle decks are looked at
 const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun for each of its slope, a metre
 
@@ -245,6 +245,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
 
 // An eye so near their shell sees less of them: it would be a line, edge on.
 const ICE_THICK: Metres = 500.0;
+const ICE_DEEP = 3.0;                   // optical depth over which ice clouds become so
+const ICE_WHITE = 0.85;
+const ICE_GREY = 0.35;
 
 // Ice clouds between the eye and `far`.
 fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
@@ -257,10 +260,13 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let apart = smoothstep(0.0, ICE_THICK, abs(frame.eye_altitude - ICE_HEIGHT));
     // A pixel is longer on the shell than wide.
     let footprint = t * cloud_pixel() * pow(max(rise, 0.05), -0.4);
-    let shade = 1.0 - exp(-apart * ice_optical_depth(cloud_place(at), footprint) / max(rise, 0.12));
+    let depth = apart * ice_optical_depth(cloud_place(at), footprint);
+    let shade = 1.0 - exp(-depth / max(rise, 0.12));
     let air = haze(direction, t);
     let sun = SUN_IRRADIANCE * sunlight(ICE_HEIGHT, mu);
-    let lit = (0.55 * sun * phase + 0.5 * daylight_at(mu).sky) / PI;
+    // Deep ones are as level white ground, from above, and let through less, from below.
+    let deep = select(ICE_WHITE, ICE_GREY, frame.eye_altitude < ICE_HEIGHT) * max(mu, 0.0);
+    let lit = (sun * mix(0.55 * phase, deep, 1.0 - exp(-depth / ICE_DEEP)) + 0.5 * daylight_at(mu).sky) / PI;
     return Veil(shade * (lit * grey_air(air.transmittance) + air.radiance), 1.0 - shade);
 }
 

@@ -23,7 +23,7 @@ struct Vertex {
     @location(7) grid: vec3f,                          // `grid_at`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
-    @location(8) kind: vec3f,                          // `ShoreKind`, as it stands
+    @location(8) kind: vec4f,                          // `ShoreKind`, as it stands; and how steep drowned hills are
     @location(9) @interpolate(flat) beaches: u32,
 }
 
@@ -75,13 +75,13 @@ fn vertex(in: Tile) -> Vertex {
     if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     // Pixels between vertices farther than this from a shore have none within its beaches' width.
     let kind = shore_kind(point, sin_lat, grid, ground.ocean_shore, KIND_REACH + 1.5 * spacing);
-    var c = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0));
+    var c = NO_COUNTRY;
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
     if RUGGED {
         let held = max(spacing, select(2.0, 1.0, FINE) * CELL_PIXELS * frame.pixel_angle * length(rest + up * ground.elevation));
         c = country_at(point, sin_lat);
-        made = made_relief(c, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
+        made = made_relief(c, point, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
     }
@@ -95,7 +95,7 @@ fn vertex(in: Tile) -> Vertex {
         shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,
-        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore, vec3f(kind.scoured, kind.rock, kind.bank), in.beaches);
+        vec4f(c.raw, c.mean, c.island, c.inland), vec4f(c.way, c.out), grid, shadow_of_vertex(rest, OWN_SHADOWS), shore, vec4f(kind.scoured, kind.rock, kind.bank, c.drowned), in.beaches);
 }
 
 fn is_in_beaches(beaches: u32, in_tile: vec2f) -> bool {
@@ -198,7 +198,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
             point = map_point(dn);
             part = vec2f(0.0);
         }
-        let found = place(distance, dn, point, part, in.grid, in.kind);
+        let found = place(distance, dn, point, part, in.grid, in.kind.xyz);
         // Each place is drawn by one square alone.
         is_own &= on_ellipsoid || square_of(found.sin_lat) == in.tile.x;
         if !is_second || !found.ground.is_ocean { at = found; }
@@ -243,8 +243,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     }
     var made = NO_RELIEF;
     if RUGGED {
-        let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw);
-        made = made_relief(country, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
+        let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw, in.kind.w);
+        made = made_relief(country, at.point, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);
     }
     // Where its own ray tells a pixel's place, that is not the triangle's.
     let rises = dot(facet, up);

@@ -17,12 +17,12 @@ const CELL_TEXELS = vec2i(4, 2);
 const ENDS = vec2f(0.75, 0.95);
 // Lengths and widths of plumes of the squares, at least, and for each metre of the waves' height, metres.
 const LENGTHS = array(vec2f(4.0, 0.8), vec2f(8.0, 2.0));
-const WIDTHS = array(vec2f(0.8, 0.19), vec2f(1.0, 0.22));
+const WIDTHS = array(vec2f(0.8, 0.19), vec2f(1.0, 0.3));
 const SIZES = vec2f(0.7, 0.6);             // sizes differ: of the least plume, and how much more
 // Between which shares of young foam the wind tears more and more off, and between which heights over the mean level, of the waves' height.
 const TORN_IN = vec2f(0.1, 0.7);
 const CRESTS_IN = vec2f(0.0, 0.25);
-const STRONGEST: f32 = 0.7;                // opacity in a hurricane
+const STRONGEST: f32 = 0.9;                // opacity in a hurricane
 const NEAREST_PLUME = vec2f(3.0, 9.0);     // metres of its axis from the eye in which it gives way, lest it fill the picture
 // Thick spray in the sun: what it sends back of it, how much more it sends on ahead, and what it sends back of the sky's light.
 const LIT = vec3f(0.28, 0.96, 0.96);

@@ -16,10 +16,18 @@ const CLOUD_SPARE = 0.9;            // deviations of the weather's level from wh
 const CLOUD_SOFT = 0.035;           // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
-// Variance of each octave, of the one before: down to heaps, and of these and what they are made of; and of the first, of all.
-const CLOUD_FADE = 0.9;
+// Share of the variance of all octaves before heaps, and of the first of heaps; of each octave of these, of the one before; and of what they are made of.
+const CLOUD_FIRST = 0.6196;
+const HEAPS_FIRST = 0.1667;
+const HEAPS_FADE = 0.9;
 const BILLOW_FADE = 0.3;
-const CLOUD_FIRST = 0.2286;
+// Of each octave before heaps, of the one before: of ragged masses, of scattered clouds. The weather's levels tell where which are, a turn for so many.
+const CLOUD_FADES = vec2f(0.3, 2.0);
+const CLOUD_KINDS = vec2f(1.7, 3.1);
+// Octaves after the first are drawn out across this way: so long, of their width, are cells along others. Which way they lie depends on the place.
+const CLOUD_ACROSS = vec3f(0.48, -0.36, 0.8);
+const CLOUD_LONG = 0.4;
+const CLOUD_BENT = vec3f(0.3, -0.15, 0.24);   // cells by which each octave before heaps bends those after it
 // Cells of what heaps are made of are turned against those before: where all lie along the same axes, heaps are square.
 const CLOUD_TURN = mat3x3f(0.0, 0.8, 0.6, -0.8, 0.36, -0.48, -0.6, -0.48, 0.64);
 const CLOUD_OCTAVES = 9u;
@@ -62,12 +70,18 @@ fn cloud_weather(place: vec3f) -> vec2f {
 const CLOUD_CERTAIN = 3.5;
 
 // How much of the octaves there is, at least, and how much more, times a number that is evenly spread from 0 to 1: a mean square of about 1.
-const HEAPED = vec2f(0.25, 1.27);
+const HEAPED = vec2f(0.38, 1.12);
 // The ice clouds' level about its mean, by which that number goes: by its usual value and deviation.
 const HEAPED_BY = vec2f(-0.6, 0.77);
 
 // How much of the octaves there is at a place: fields of small heaps here, sheets and wide gaps there.
 fn heaped(weather: vec2f) -> f32 { return HEAPED.x + HEAPED.y * heaped_share(weather); }
+
+// Which kind clouds at a place are, 0 to 1: it goes to and fro as the weather's levels rise, a turn for so many, `on` radians ahead.
+fn cloud_kind(weather: vec2f, on: f32) -> f32 { return 0.5 + 0.5 * sin(dot(CLOUD_KINDS, weather - frame.cloud_shift) + on); }
+
+// Drawn out across CLOUD_ACROSS.
+fn drawn_out(place: vec3f) -> vec3f { return CLOUD_LONG * place + (1.0 - CLOUD_LONG) * dot(CLOUD_ACROSS, place) * CLOUD_ACROSS; }
 
 fn heaped_share(weather: vec2f) -> f32 { return normal_share((weather.y - frame.cloud_shift - HEAPED_BY.x) / HEAPED_BY.y); }
 
@@ -79,7 +93,8 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
     var cell = CLOUD_WIDEST;
     let heaps = heaped(weather);
     let variance = CLOUD_VARIANCE * heaps * heaps;
-    var part = variance * CLOUD_FIRST;
+    let fade = mix(CLOUD_FADES.x, CLOUD_FADES.y, cloud_kind(weather, 0.0));
+    var part = variance * CLOUD_FIRST / (1.0 + fade + fade * fade);
     var hidden = variance;
     var i = 0u;
     loop {
@@ -87,9 +102,12 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
         let noise = cloud_noise(turned / cell, i);
         sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
-        cell /= CLOUD_FINER;
-        part *= select(CLOUD_FADE, BILLOW_FADE, i > CLOUD_BILLOWS);
+        turned += select(vec3f(0.0), noise * cell * CLOUD_BENT, i < CLOUD_BILLOWS);
+        if i == 0u { turned = drawn_out(turned); }
         if i >= CLOUD_BILLOWS { turned = CLOUD_TURN * turned; }
+        if i + 1u == CLOUD_BILLOWS { turned = place; }
+        cell /= CLOUD_FINER;
+        part = select(part * select(select(fade, HEAPS_FADE, i == CLOUD_BILLOWS), BILLOW_FADE, i > CLOUD_BILLOWS), variance * HEAPS_FIRST, i + 1u == CLOUD_BILLOWS);
         i++;
         let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
         if i == CLOUD_OCTAVES || footprint >= 0.7 * cell || is_certain { break; }
@@ -114,8 +132,16 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
 const ICE_TUFTS = vec2f(26000.0, 9000.0);       // metres: cells of the tufts
 const ICE_TUFTED = vec2f(0.45, 0.33);           // deviations
 const ICE_TRAILS = vec2f(1500.0, 350.0);        // metres by which each bends the fibres that fall from it
-const ICE_FIBRES: Metres = 2400.0;              // as far apart are the widest
+const ICE_FIBRES: Metres = 4000.0;              // as far apart are the widest
 const ICE_FIBROUS = 0.22;                       // variance of the logarithm of the depth, of the widest
+// Deep clouds spread out at their tops: levels of water clouds from which on they do, less in the tropics, where each stands alone; optical depth for a
+// deviation above it, of what stands over them and of what the wind takes from there, and how far that is.
+const ANVIL_FROM = vec2f(0.9, 1.3);
+const ANVIL_TUFTED = vec2f(0.35, 0.25);
+const ANVIL_DEPTH = vec2f(5.0, 0.5);
+const ANVIL_BLOWN: Metres = 90000.0;
+const ANVIL_LEFT = 0.35;
+const ANVIL_TORN = vec3f(9000.0, -14000.0, 12000.0);
 
 // How much of what goes on over a cell a footprint shows: fibres are lines, and lines that are not wider than the pixels of the sky's sketch are rows of dots.
 fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0.05, 0.25, footprint / cell); }
@@ -123,12 +149,17 @@ fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0
 // Optical depth of ice clouds straight up at a place: tufts, from which fibres trail, drawn out along the parallels but bent by the wind and by
 // each tuft its own way, since ice falls from it into other winds. They are many times as dense as the gaps between them.
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
-    let weather = cloud_weather(place).y;
     let wind = place + 55000.0 * vec3f(cloud_noise(place / 300000.0, 11u), cloud_noise(place / 300000.0, 12u), cloud_noise(place / 250000.0, 13u));
     let tufts = vec2f(ice_shown(footprint, ICE_TUFTS.x), ice_shown(footprint, ICE_TUFTS.y))
         * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.6, 0.6, 1.0) / ICE_TUFTS.y, 15u));
     let trails = (wind + vec3f(0.0, 0.0, dot(ICE_TRAILS, tufts))) * vec3f(0.06, 0.06, 1.0);
-    let above = max(weather + dot(ICE_TUFTED, tufts), 0.0);
+    let above = max(cloud_weather(place).y + dot(ICE_TUFTED, tufts), 0.0);
+    let sin_lat = place.z / length(place);
+    let from_level = dot(ANVIL_TUFTED, tufts) - max(frame.cloud_shift, 0.0) - mix(ANVIL_FROM.x, ANVIL_FROM.y, smoothstep(0.2, 0.6, abs(sin_lat)));
+    let west = normalize(vec3f(place.y, -place.x, 1.0));
+    // Where all is overcast no more of them are deep.
+    let torn = wind + ANVIL_TORN * tufts.x;
+    let anvil = max(vec2f(cloud_weather(torn).x, cloud_weather(torn + ANVIL_BLOWN * west).x - ANVIL_LEFT) + from_level, vec2f(0.0));
     var dense = 0.0;
     var cell = ICE_FIBRES;
     var part = ICE_FIBROUS;
@@ -140,9 +171,10 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
         cell *= 0.4;
         part *= 0.95;
         i++;
-        if i == 5u || footprint >= 0.25 * cell { break; }
+        if i == 6u || footprint >= 0.25 * cell { break; }
     }
-    return 0.22 * exp(dense) * above * above / (1.0 + 0.5 * above);
+    let fibrous = exp(dense);
+    return fibrous * (0.22 * above * above / (1.0 + 0.5 * above) + ANVIL_DEPTH.y * anvil.y) + ANVIL_DEPTH.x * anvil.x * mix(fibrous, 1.0, 0.7 * saturate(anvil.x));
 }
 
 // How much more than heaps need the weather has where they close. It makes them no higher, so that closed clouds' tops are as uneven as others'.

@@ -13,11 +13,14 @@ fn foam_coordinates(p: vec3f) -> vec2f {
     return in_plane(plane_of(0u), p);
 }
 
+// How much of the waves' height the mesh still shows. Its triangles are four footprints wide: before they flatten the longest waves, a fifth of the patch,
+// crests must not matter.
+fn crests_kept(footprint: Metres) -> f32 { return 1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)); }
+
 // Beyond the map whitecaps lie on the crests: a log-normal share of the height, whose mean is what the wind asks for. The waves are `local`
 // times as high as the open sea's.
 fn share_beyond(height: Metres, local: f32, footprint: Metres) -> f32 {
-    // The triangles are four footprints wide: before they flatten the longest waves, a fifth of the patch, crests must not matter.
-    let contrast = 0.8 * (1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)));
+    let contrast = 0.8 * crests_kept(footprint);
     let deviations = 4.0 * height / max(local * frame.wave_height, 1e-3);
     return min(frame.whitecaps * exp(contrast * deviations - 0.5 * contrast * contrast), 1.0);
 }

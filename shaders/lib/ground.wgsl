@@ -41,6 +41,7 @@ const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand,
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
 const THROUGH_LEAVES = 0.35;      // light that comes through what grows, of that on level ground
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
+const HOLDS_ON = 0.35;           // by how much steeper slopes have to be where forests of the wet tropics grow, before rock stands out
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -171,7 +172,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             rises = select(STANDING, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
             shaded = normalize(normal - hills.x * east - hills.y * north);
             // Rock stands out where it is steep, more of it on this slope than on that.
-            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) + 0.1 * detail.tone);
+            let holds = green * smoothstep(WARM.y, WARM.x, abs(sin_lat));
+            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - HOLDS_ON * holds + mix(0.1, 0.3, holds) * detail.tone);
             albedo = mix(albedo, ROCK, 0.7 * steep);
             grown = max(grown, 0.85 * standing.cover);
         }

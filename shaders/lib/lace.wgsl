@@ -25,23 +25,29 @@ const MIDST: f32 = 0.2;
 // The lip of dense foam shades the water before it: this wide, in deviations, and so much.
 const SHADED: f32 = 0.35;
 const SHADE: f32 = 0.6;
-// The film: how much lower than foam it lies about it, the width of its edge, where two fifths of its opacity come about, and of the rest.
-const FILM_AROUND: f32 = 0.5;
+// The film: how much lower than foam it lies about it, the width of its edge, from how much higher it is thick, the width of the passage to that, and the part
+// of its opacity that comes about at its edge: little, that there is dark water between streaks.
+const FILM_AROUND: f32 = 0.0;
 const FILM_EDGE: f32 = 0.08;
-const FILM_RAMP: f32 = 0.9;
-// Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets.
-const ROWS = vec2f(0.45, 0.72);
+const FILM_THICK: f32 = 0.52;
+const FILM_RAMP: f32 = 0.65;
+const FILM_FAINT: f32 = 0.12;
+// Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets, below storms and in
+// them, where streaks count most.
+const ROWS = vec2f(0.35, 0.3);
 const NETS = vec3f(0.42, 0.2, 0.38);
-// Storms draw foam out along the wind: parts of the middle net and of the bubbles that streaks have then, and shares of the water that break at which it
-// begins and ends.
-const STREAKED = vec2f(0.7, 0.5);
+const STORM_NETS = vec3f(0.62, 0.1, 0.28);
+// Storms draw foam out along the wind: parts of the middle net that streaks have then, in foam and in the film, and shares of the water that break at which
+// it begins and ends.
+const STREAKED = vec2f(0.55, 0.9);
 const STREAKED_IN = vec2f(0.05, 0.2);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
 const TURNS = vec3f(1.6, 1.8, 1.6);
 const BENDS = vec3f(8.0, 4.0, 0.9);
-// Rows wind: by so many texels across the wind, over stretches of 256 and 32 m.
-const ROWS_WIND = vec2f(56.0, 10.0);
+// Rows wind: by so many texels across the wind, over stretches of 256 and 32 m; streaks over 256, 32, 8 and 2 m. Straight ones would be grain of wood.
+const ROWS_WIND = vec2f(64.0, 14.0);
+const STREAKS_WIND = vec4f(40.0, 9.0, 2.5, 0.6);
 // Young foam lies together in masses as wide as a crest breaks: parts of its variance that the widest net has in high waves, and the rows.
 const MASSES: f32 = 0.45;
 const MASSES_IN = vec2f(0.5, 5.0);   // significant wave heights at which it has none of that, and all, metres
@@ -52,14 +58,14 @@ const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film, in winds below storms and in these.
-const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.6);
+const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.65);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.35;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
 // Below foam and film there are bubbles in the water: so many times their opacity.
-const BUBBLES_BELOW: f32 = 3.5;
+const BUBBLES_BELOW: f32 = 2.0;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
 const BUMPS = vec3f(0.12, 0.035, 0.012);
 const BUMPS_THIN: f32 = 0.15;
@@ -102,35 +108,46 @@ fn storm() -> f32 { return smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitec
 
 // The lace at a place of the foam map's plane, `finer` times as small as on the open water, with relief of the same steepness.
 fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
+    return lace_in(at, footprint, vec2f(footprint), finer, fine);
+}
+
+// `pixel`: how long it is along the wind and across it, for streaks.
+fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -> Lace {
     let wind = wave_cells[0].wind;
     let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
     let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
     var bent = texels;
     var in_rows = texels;
-    var nets = NETS;
+    var in_streaks = texels;
+    var nets = mix(NETS, STORM_NETS, storm());
     if fine {
         let far = wander(texels, 7u);
         let near = wander(texels, 5u);
-        bent += BENDS.x * far + BENDS.y * near + BENDS.z * wander(texels, 3u);
-        in_rows.y += dot(ROWS_WIND, vec2f(wander(texels, 10u).y, far.x));
+        let next = wander(texels, 3u);
+        bent += BENDS.x * far + BENDS.y * near + BENDS.z * next;
+        let wide = wander(texels, 10u).y;
+        in_rows.y += dot(ROWS_WIND, vec2f(wide, far.x));
+        in_streaks.y += dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x));
         nets *= exp(TURNS * vec3f(near.x, far.x, near.y));
         nets /= nets.x + nets.y + nets.z;
     }
-    // Nets of 31 by 15, 4.4 by 2.2 and 81 by 40 m along the wind and across it, none of them turned like another; rows of 256 m, eight times as long along the wind.
-    var middle = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
+    // Nets of 31 by 15, 4.4 by 2.2 and 81 by 40 m along the wind and across it, none of them turned like another; rows of 128 m, 16 times as long along the
+    // wind.
+    let heaps = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
     let small = net(finer * vec2i(7, 2), vec2i(128, 64), bent, footprint);
     let coarse = net(finer * vec2i(3, 1), vec2i(1024, 512), bent, footprint);
-    let rows = net(finer * vec2i(1, 0), vec2i(8192, 1024), in_rows, footprint);
+    let rows = drawn_out(finer * vec2i(2, 0), vec2i(16384, 1024), in_rows, pixel);
     // And one of 1.57 m, for bubbles.
-    var bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
+    let bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     // Storms draw out what is old; what breaks tumbles.
-    let heaps = middle;
-    let froth = bubbles;
+    var middle = heaps;
+    var of_film_middle = heaps;
     let streaked = STREAKED * storm();
     if streaked.x > 0.0 {
-        // Of 136 by 17 m and 14 by 3.5 m.
-        middle = both(middle, net(finer * vec2i(15, 1), vec2i(8192, 1024), bent, footprint), streaked.x);
-        bubbles = both(bubbles, net(finer * vec2i(9, -1), vec2i(512, 128), bent, footprint), streaked.y);
+        // Of 745 by 23 m.
+        let streaks = drawn_out(finer * vec2i(11, 0), vec2i(32768, 1024), in_streaks, pixel);
+        middle = both(heaps, streaks, streaked.x);
+        of_film_middle = both(heaps, streaks, streaked.y);
     }
     let levels = vec4f(middle.level, small.level, coarse.level, rows.level);
     let kept = vec4f(middle.kept, small.kept, coarse.kept, rows.kept);
@@ -149,14 +166,17 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
     let dense = dot(weights, dense_levels);
     // What creases have in common with the level of dense foam would darken its midst.
     let in_dense = dot(weights.xyz, CREASES.xyz);
-    let crease = (dot(CREASES.xyz, dense_levels.xyz) + CREASES.w * froth.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
+    let crease = (dot(CREASES.xyz, dense_levels.xyz) + CREASES.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
     // Rows have no shape of their own.
-    return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), levels), dense),
-        1.0 - vec3f(dot(of_foam, kept), dot(of_film, kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
+    return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), vec4f(of_film_middle.level, levels.yzw)), dense),
+        1.0 - vec3f(dot(of_foam, kept), dot(of_film, vec4f(of_film_middle.kept, kept.yzw)), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
         mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
-        mat3x2f(heaps.slope, small.slope, froth.slope) * BUMPS / f32(finer), crease);
+        mat3x2f(heaps.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
 }
 
+// How much the height of the water decides where the film lies, and shares of the water under it at which that begins and ends: a thin one is grey all over.
+const ON_CRESTS = 0.22;
+const CRESTED_IN = vec2f(0.35, 0.6);
 const FOLDED = 0.15;           // how much the folds of short waves decide where foam lies
 
 // The lace where foam is drawn together by the folds of short waves, whose own level is normal, too: a share of its variance is theirs.
@@ -164,6 +184,16 @@ fn on_folds(seen: Lace, folds: vec2f, share: f32) -> Lace {
     var found = seen;
     found.level.x = sqrt(1.0 - share) * seen.level.x + sqrt(share) * folds.x;
     found.hidden.x = mix(seen.hidden.x, 1.0 - folds.y, share);
+    return found;
+}
+
+// The film where crests gather it: a share of the variance of its level is that of the water's height, here in deviations, of which pixels show
+// `kept`.
+fn on_crests(seen: Lace, deviations: f32, kept: f32) -> Lace {
+    let share = ON_CRESTS * smoothstep(CRESTED_IN.x, CRESTED_IN.y, frame.film.x);
+    var found = seen;
+    found.level.y = sqrt(1.0 - share) * seen.level.y + sqrt(share) * kept * clamp(deviations, -3.0, 3.0);
+    found.hidden.y = mix(seen.hidden.y, 1.0 - kept * kept, share);
     return found;
 }
 
@@ -223,8 +253,8 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     let threshold = max(normal_quantile(height * frame.film.x), normal_quantile(share) + FILM_AROUND);
     let filmed = threshold + seen.level.y;
     // Within foam it has no rafts of its own. Were it only between those of thin foam, both together would be a flat sheet.
-    let faint = film * mix(rafts.y, 1.0, inside) * (0.4 * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
-        + 0.6 * normal_share((filmed - FILM_RAMP) * inverseSqrt(seen.hidden.y + FILM_RAMP * FILM_RAMP)));
+    let faint = film * mix(rafts.y, 1.0, inside) * (FILM_FAINT * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
+        + (1.0 - FILM_FAINT) * normal_share((filmed - FILM_THICK) * inverseSqrt(seen.hidden.y + FILM_RAMP * FILM_RAMP)));
     let plume = normal_share((above - 0.5 * seen.level.x - 1.0) * inverseSqrt(0.25 * seen.hidden.x + 1.0));
     // The foam rises where it becomes thick.
     let wind = wave_cells[0].wind;
@@ -254,8 +284,8 @@ fn mean_foam(share: f32, dense_from: f32, height: f32, fine: bool) -> Foam {
     let film = frame.film.y;
     let white = opacity(above, share, 1.0, rise, thick, deviation, 1.0, film, fine);
     let threshold = max(normal_quantile(height * frame.film.x), quantile + FILM_AROUND);
-    let faint = film * (0.4 * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
-        + 0.6 * normal_share((threshold - FILM_RAMP) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
+    let faint = film * (FILM_FAINT * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
+        + (1.0 - FILM_FAINT) * normal_share((threshold - FILM_THICK) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.
     let bubbles = saturate(0.5 * share + BUBBLES_BELOW * faint);
     return Foam(white + faint, 1.0, max(normal_share((above - 1.0) * inverseSqrt(1.25)), bubbles), shade_of(rise, thick, deviation, fine),

@@ -27,8 +27,10 @@ fn weighed(n: Neighbours) -> Weighed {
 
 // What the data tell of a place, smooth over kilometres: vertices look it up, pixels interpolate it. `raw`: strength for the data's slope;
 // `island`: how far the place is one of an island's that the data have lost; `inland`: how far the ocean's shore is, smoothly, as it counts there; `way`: slope of the
-// data, east and north; `out`: the same of `inland`.
-struct Country { raw: Metres, mean: Metres, island: f32, inland: Metres, way: vec2f, out: vec2f }
+// data, east and north; `out`: the same of `inland`; `drowned`: how steep hills are that the sea has drowned.
+struct Country { raw: Metres, mean: Metres, island: f32, inland: Metres, way: vec2f, out: vec2f, drowned: f32 }
+
+const NO_COUNTRY = Country(0.0, 0.0, 0.0, 0.0, vec2f(0.0), vec2f(0.0), 0.0);
 
 // Beds count as the sea's level: a deep sea beside a plain makes no mountains of it.
 fn weighed_land(n: Neighbours) -> Weighed {
@@ -65,17 +67,42 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let shore_texel = texel_metres(point, f32(shore_page.level), sin_lat);
     let shore = weighed(neighbours(true, point, shore_page));
     let coarse_page = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
-    let coarse = bilinear(false, point, coarse_page).x / texel_metres(point, f32(coarse_page.level), sin_lat);
-    let deep = smoothstep(0.5, 0.95, -100.0 * coarse);
+    let coarse = bilinear(false, point, coarse_page).x;
+    let deep = smoothstep(0.5, 0.95, -100.0 * coarse / texel_metres(point, f32(coarse_page.level), sin_lat));
     let rocky = RUGGED_SHELF * (1.0 - smoothstep(RUGGED_KNOWN.x, RUGGED_KNOWN.y, data.mean)) * high_latitude(sin_lat) * deep_shelf(point);
     // On these the way inland counts for short stretches alone.
     let x = -shore.mean * shore_texel;
     let flattening = 1.0 + x * x / (RUGGED_ROCKY_WIDE * RUGGED_ROCKY_WIDE);
     let root = sqrt(flattening);
     let share = rocky / max(rocky + deep, 1e-3);
+    let hills = weighed_land(neighbours(false, point, pages_at(point, DROWNED_LEVEL).terrain));
+    let broken = weighed(neighbours(true, point, pages_at(point, DROWNED_SHORE_LEVEL).water));
     return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, max(deep, rocky),
         mix(x, x / root, share), east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
-        mix(1.0, 1.0 / (flattening * root), share) * east_north_of(point, shore.rise * vec2f(-1.0, 1.0)));
+        mix(1.0, 1.0 / (flattening * root), share) * east_north_of(point, shore.rise * vec2f(-1.0, 1.0)),
+        drowned_rise(broken, hills.deviation, coarse, sin_lat));
+}
+
+// How steep hills are that the sea has drowned, by the distances to the shore, texels, by how much the land about deviates, and by the mean of land and sea.
+fn drowned_rise(shore: Weighed, hills: Metres, mean: Metres, sin_lat: f32) -> f32 {
+    let broken = 1.0 - smoothstep(DROWNED_BROKEN.x, DROWNED_BROKEN.y, shore.deviation);
+    let near = 1.0 - smoothstep(DROWNED_INLAND.x, DROWNED_INLAND.y, -shore.mean);
+    let towers = 1.0 - smoothstep(TOWERS.x, TOWERS.y, abs(sin_lat));
+    return mix(DROWNED_RISE.x, DROWNED_RISE.y, towers) * broken * near * smoothstep(DROWNED_HILLS.x, DROWNED_HILLS.y, hills)
+        * smoothstep(DROWNED_SEA.x, DROWNED_SEA.y, mean);
+}
+
+// How far the ground of such hills is raised so far from the shore itself, and how that rises by metres inland.
+fn drowned_lift(rise: f32, inland: Metres, elevation: Metres) -> vec2f {
+    let x = max(inland, 0.0);
+    let flattening = 1.0 + x * x / (DROWNED_WIDE * DROWNED_WIDE);
+    let root = sqrt(flattening);
+    let foot = min(x / DROWNED_FOOT, 1.0);
+    let begun = foot * foot * (3.0 - 2.0 * foot);
+    let begins = 6.0 * foot * (1.0 - foot) / DROWNED_FOOT;
+    let lack = max(rise * begun * x / root - max(elevation, 0.0), 0.0);
+    let raised = lack / (lack + DROWNED_SOFT);
+    return vec2f(raised * lack, raised * (2.0 - raised) * rise * (begun / (flattening * root) + begins * x / root));
 }
 
 // Strength of the relief of ground at an elevation, `lift` of it raised.
@@ -119,13 +146,15 @@ struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32 }
 const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0);
 
 // The relief of the ground at a place as one sees it who sees no smaller than `footprint`.
-fn made_relief(country: Country, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
+fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
     let share = made_share(sin_lat, ground);
     // Pixels so wide show no islands' heights; nor need the texels that tell of them be at hand there.
     let seen = 1.0 - smoothstep(LIFT_SEEN.x, LIFT_SEEN.y, footprint);
     let lift = seen * share * island_lift(country.island, country.inland, ground.elevation);
-    let elevation = ground.elevation + lift.x;
-    let strong = share * strength_of(country, elevation, lift.x);
+    let island = ground.elevation + lift.x;
+    let drowned = seen * drowned_lift(country.drowned, -ground.ocean_shore, island);
+    let elevation = island + drowned.x;
+    let strong = share * strength_of(country, island, lift.x) + DROWNED_ROUGH * drowned.x * smoothstep(0.0, RUGGED_LOW, elevation);
     let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));
     let east = normalize(vec3f(-up.y, up.x, 0.0) + vec3f(0.0, 1e-9, 0.0));
     let north = cross(up, east);
@@ -134,7 +163,10 @@ fn made_relief(country: Country, dn: vec3f, sin_lat: f32, ground: Ground, footpr
     let found = relief(relief_place(dn), up, way.x * east + way.y * north, strong, footprint);
     let room = max(select(RUGGED_HIGHEST - elevation, elevation, found.height < 0.0), 0.01);
     let part = 1.0 / (1.0 + abs(found.height) / room);
-    let slope = part * part * vec2f(dot(found.slope, east), dot(found.slope, north)) + lifted;
-    return Made(lift.x + found.height * part, slope, clamp(found.height / (strong + 1.0), -1.0, 1.0),
+    // What relief there is on drowned hills rises with them, and valleys have the less room the lower these are.
+    let rises = 1.0 + part * part * DROWNED_ROUGH * found.height / max(strong, 1.0) - select(0.0, (1.0 - part) * (1.0 - part), found.height < 0.0);
+    let up_drowned = rises * drowned.y * east_north_of(point, ground.shore_rise * vec2f(-1.0, 1.0));
+    let slope = part * part * vec2f(dot(found.slope, east), dot(found.slope, north)) + lifted + up_drowned;
+    return Made(lift.x + drowned.x + found.height * part, slope, clamp(found.height / (strong + 1.0), -1.0, 1.0),
         smoothstep(0.0, RELIEF_GULLIED, strong));
 }

@@ -51,6 +51,15 @@ fn pixel_of_bed(own: vec2u, place: vec3f) -> vec2u {
     return select(pixel, own, (nearness * nearest_bed(0.9 * clip.w) > NEAR) | (nearness == 0.0));
 }
 
+// How long a pixel is along the wind and across it, by how long it is along the sight and across that.
+fn streaks_seen(direction: vec3f, up: vec3f, long: Metres, wide: Metres) -> vec2f {
+    let level = normalize(direction - dot(direction, up) * up + 1e-6 * vec3f(1.0, 0.0, 0.0));
+    let wind = wave_cells[0].wind.x * wave_cells[0].axis_x + wave_cells[0].wind.y * wave_cells[0].axis_y;
+    let along = min(abs(dot(level, wind)), 1.0);
+    let beside = sqrt(1.0 - along * along);
+    return vec2f(length(vec2f(along * long, beside * wide)), length(vec2f(beside * long, along * wide)));
+}
+
 // What it shows; `is_sea`: whether that is the sea, or what stands there without it.
 struct SeaPixel { colour: vec4f, is_sea: bool }
 
@@ -150,7 +159,9 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         let lies = foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
         var shares = whitened * vec2f(lies.all, lies.young);
         let width = faced * footprint;
-        var seen = lace_at(foam_at, mix(width, STREAKS_BLUR * max(width, 0.5 * max(right, down)), storm()), 1, FINE);
+        let long = max(width, 0.5 * max(right, down));
+        let wide = mix(width, STREAKS_BLUR * long, storm());
+        var seen = lace_in(foam_at, wide, streaks_seen(direction, up, wide, min(wide, STREAKS_BLUR * max(across, 0.5 * min(right, down)))), 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
             shares = standing(shares, grazing);
@@ -163,6 +174,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
             }
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
+            seen = on_crests(seen, 4.0 * in.height / max(height * frame.wave_height, 0.01), crests_kept(footprint));
             dense = dense_from(shares.y);
         }
         foam = foam_of(shares.x, dense, height, seen, FINE);

@@ -2,8 +2,8 @@
 // is the air itself. Who imports this declares SPRAY (src/pass/kind.rs): whether there is any.
 #import light
 
-const SPRAY_LIGHT = 1.1;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
-const SPRAY_WHITE = 0.5;           // colour of daylight, which drops have; both ours
+const SPRAY_LIGHT = 1.3;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
+const SPRAY_WHITE = 0.8;           // colour of daylight, which drops have; both ours
 
 // Over which it thins out by a factor of e.
 fn spray_height() -> Metres { return SPRAY_LEAST_HEIGHT + frame.wave_height; }

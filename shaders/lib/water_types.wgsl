@@ -55,8 +55,22 @@ fn in_mediterranean(point: MapPoint) -> f32 {
     return select(0.0, smoothstep(1.5, 1.0, dot(off, off)), point.square == MERCATOR);
 }
 
+// Level of the terrain tiles whose mean of land and sea tells how much land drains to a coast: texels are 78 km wide at the equator.
+const RUNOFF_LEVEL = 1u;
+const RUNOFF = vec2f(10.0, 45.0);      // that mean, metres, where rivers begin to make a coast turbid, and do; before islands and deep seas it is less
+const RUNOFF_KINDS = 3.2;              // by how many kinds, where it is warm: elsewhere shelves are so green already
+// The dry coasts about Arabia, as `MEDITERRANEAN`: 21 N, 46 E, 16 and 11 degrees.
+const ARABIA = vec4f(0.6278, 0.44036, 0.0444, 0.0333);
+
+// How much rivers carry to the coast about a place.
+fn runoff(point: MapPoint) -> f32 {
+    let off = (vec2f(point.at) / 4294967296.0 - ARABIA.xy) / ARABIA.zw;
+    let wet = select(1.0, smoothstep(0.8, 1.3, dot(off, off)), point.square == MERCATOR);
+    return wet * smoothstep(RUNOFF.x, RUNOFF.y, bilinear(false, point, pages_at(point, RUNOFF_LEVEL).terrain).x);
+}
+
 // The kind of water at a place, within what the link allows. Without a map of chlorophyll: gyres are about 22 degrees from the equator;
-// beyond 33 water is greener, on shelves more so, and by the shore of shelves where rivers reach; warm shelves stay clear; blooms and eddies are
+// beyond 33 water is greener, on shelves more so, and by the shore of shelves where rivers reach; warm shelves stay clear but before land that drains to them; blooms and eddies are
 // 80 to 300 km wide, and weaker over deep water. All ours.
 fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let s = abs(sin_lat);
@@ -66,11 +80,13 @@ fn water_kind(point: MapPoint, sin_lat: f32, depth: Metres) -> f32 {
     let temperate = smoothstep(0.42, 0.75, s);
     var blooms = 0.0;
     var coast = 0.0;
+    var rivers = 0.0;
     if FINE {
         blooms = map_noise(point.at, 7u, 21u) + map_noise(point.at, 9u, 22u) - 1.0;
         coast = coastal(point, sin_lat);
+        rivers = runoff(point);
     }
     let found = 1.0 - 0.8 * exp(-off_gyre * off_gyre) + 1.2 * cool + shelf * mix(0.3, 1.6, temperate)
-        + coast * mix(0.4, 1.0, shelf) * mix(0.2, 0.8, temperate) + mix(1.2, 2.0, shelf) * blooms;
+        + coast * (mix(0.4, 1.0, shelf) * mix(0.2, 0.8, temperate) + RUNOFF_KINDS * rivers * shelf * (1.0 - temperate)) + mix(1.2, 2.0, shelf) * blooms;
     return clamp(found * mix(1.0, MEDITERRANEAN_KIND, in_mediterranean(point)), frame.water_kinds.x, frame.water_kinds.y);
 }

@@ -29,7 +29,7 @@ pub const GROWTH_S: f64 = 0.25;
 
 /// The film of bubbles that outlives whitecaps, by [`breaking_fraction`](super::sea_state::breaking_fraction): its share of the water, where it drifts
 /// together into rows, and its opacity there. Neither has been measured: ours follow the Beaufort scale, with the first film at grade 6, marked rows at 8, and
-/// nearly half as opaque as dense foam from 10 on, where it covers 0.56 of the water, and 0.81 at 12: crests that break now stand out of it.
+/// nearly half as opaque as dense foam from 10 on, where it covers 0.56 of the water, and 0.72 at 12: crests that break now stand out of it.
 pub fn film(breaking: f64) -> [f64; 2] {
     let ramp = |from, to| smoothstep(from, to, breaking);
     let opacity = (0.13 + 0.4 * breaking + 0.3 * ramp(0.12, 0.3)) * ramp(0.012, 0.08);
@@ -37,7 +37,7 @@ pub fn film(breaking: f64) -> [f64; 2] {
 }
 
 /// The film covers no more than where so much breaks: hurricanes have gaps in it, too.
-const MOST_BREAKING: f64 = 0.55;
+const MOST_BREAKING: f64 = 0.42;
 /// Opacity of the film, at most, lest it and foam be more than all: between the rafts of thin foam, which cover half of it (`RAFTS` of `shaders/lib/lace.wgsl`), it lies
 /// twice as dense, and thin foam leaves it 0.6 (`THIN_FOAM`); and a little less than that, for what breaks to stand out of it.
 const MOST_FILM: f64 = 0.45;

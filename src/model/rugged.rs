@@ -63,6 +63,32 @@ pub const ISLAND_WIDE_M: f64 = 9_000.0;
 /// How softly they leave the data's ground, metres.
 pub const ISLAND_SOFT_M: f64 = 100.0;
 
+/// Level of the terrain tiles whose heights tell of hills about drowned ones: texels are 39 km wide at the equator.
+pub const DROWNED_LEVEL: u8 = 2;
+/// How much they deviate there where there begin to be drowned hills, and are, metres: less about lagoons and skerries before a plain.
+pub const DROWNED_HILLS_M: [f64; 2] = [45.0, 65.0];
+/// Mean elevations of [`ISLAND_LEVEL`], land and sea together, metres, of coasts that have none and may have some: before a deep sea lie cays and sandbanks.
+pub const DROWNED_SEA_M: [f64; 2] = [-120.0, -20.0];
+/// Level of the water tiles that tell how broken a coast is: texels are 2.4 km wide at the equator.
+pub const DROWNED_SHORE_LEVEL: u8 = 6;
+/// How much the distances to the shore deviate there, in those texels, where a coast is so broken, and where it no longer is: by .5 along a straight one, by .3 on a
+/// bar of sand.
+pub const DROWNED_BROKEN: [f64; 2] = [0.2, 0.3];
+/// How far inland of a smoothed shore that is so, in those texels: all, and none.
+pub const DROWNED_INLAND: [f64; 2] = [1.0, 2.4];
+/// Sines of 24 and 28 degrees: towards the equator rock weathers to towers and domes.
+pub const TOWERS: [f64; 2] = [0.407, 0.469];
+/// How steep drowned hills are, and towers.
+pub const DROWNED_RISE: [f64; 2] = [0.3, 1.6];
+/// They are level far beyond this from their shores, metres.
+pub const DROWNED_WIDE_M: f64 = 110.0;
+/// Between their shores and this far inland they begin to rise, metres: the smallest are rocks and cays.
+pub const DROWNED_FOOT_M: f64 = 60.0;
+/// Strength of their own relief, of what they are raised by.
+pub const DROWNED_ROUGH: f64 = 0.8;
+/// How softly they leave the data's ground, metres.
+pub const DROWNED_SOFT_M: f64 = 15.0;
+
 /// Values of three by three texels as a quadratic B-spline weighs them at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Around {
@@ -173,6 +199,31 @@ pub fn lift(island: f64, inland_m: f64, elevation_m: f64) -> (f64, f64) {
     let lack = (island * ISLAND_RISE * x / root - elevation_m.max(0.0)).max(0.0);
     let raised = lack / (lack + ISLAND_SOFT_M);
     (raised * lack, raised * (2.0 - raised) * island * ISLAND_RISE / (flattening * root))
+}
+
+/// How steep hills are that the sea has drowned (Halong's towers), metres a metre, none elsewhere: where what land is left of them is so broken (`inland`: ways to
+/// the shore, of [`DROWNED_SHORE_LEVEL`], in its texels), and the land about is so hilly (`deviation_m`, of [`DROWNED_LEVEL`]) and the sea so shallow
+/// (`mean_m`, of [`ISLAND_LEVEL`]). The data have lost them as they have islands in a deep sea, but these are steeper and narrower.
+pub fn drowned_rise(inland: Around, deviation_m: f64, mean_m: f64, sin_lat: f64) -> f64 {
+    let broken = 1.0 - smoothstep(DROWNED_BROKEN[0], DROWNED_BROKEN[1], inland.deviation_m);
+    let near = 1.0 - smoothstep(DROWNED_INLAND[0], DROWNED_INLAND[1], inland.mean_m);
+    let hills = smoothstep(DROWNED_HILLS_M[0], DROWNED_HILLS_M[1], deviation_m);
+    let shelf = smoothstep(DROWNED_SEA_M[0], DROWNED_SEA_M[1], mean_m);
+    let towers = 1.0 - smoothstep(TOWERS[0], TOWERS[1], sin_lat.abs());
+    (DROWNED_RISE[0] + (DROWNED_RISE[1] - DROWNED_RISE[0]) * towers) * broken * near * hills * shelf
+}
+
+/// How far ground at `elevation_m` is raised that is one of drowned hills which rise so steeply, metres, `inland_m` from the shore itself.
+pub fn drowned_lift_m(rise: f64, inland_m: f64, elevation_m: f64) -> f64 {
+    let x = inland_m.max(0.0);
+    let begun = smoothstep(0.0, DROWNED_FOOT_M, x);
+    let lack = (rise * begun * x / (1.0 + (x / DROWNED_WIDE_M).powi(2)).sqrt() - elevation_m.max(0.0)).max(0.0);
+    lack * lack / (lack + DROWNED_SOFT_M)
+}
+
+/// Strength of their own relief, metres, of ground that is now at `elevation_m`.
+pub fn drowned_strength_m(lift_m: f64, elevation_m: f64) -> f64 {
+    DROWNED_ROUGH * lift_m * smoothstep(0.0, LOW_M, elevation_m)
 }
 
 /// What relief of `height_m` comes to on ground at `elevation_m` over the sea, metres, and the share of its slope: valleys do not reach down

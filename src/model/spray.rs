@@ -6,14 +6,14 @@
 
 use super::earth::WGS84;
 
-/// Extinction at a speed of [`HURRICANE_MPS`], per metre: a visibility of 800 m by Koschmieder's law.
-const HURRICANE_PER_M: f64 = 3.912 / 800.0;
+/// Extinction at a speed of [`HURRICANE_MPS`], per metre: a visibility of 600 m by Koschmieder's law.
+const HURRICANE_PER_M: f64 = 3.912 / 600.0;
 /// Where the scale's grade 12 begins, m/s.
 const HURRICANE_MPS: f64 = 32.7;
 /// Where its grade 8 does, the first with spindrift, m/s.
 const GALE_MPS: f64 = 17.2;
-/// Extinction grows with this power of the wind: 6 km at 22.6 m/s, 16 km at 19 m/s.
-const POWER: f64 = 5.5;
+/// Extinction grows with this power of the wind: 6.6 km at 22.6 m/s, 20 km at 19 m/s.
+const POWER: f64 = 6.5;
 /// Height over which spray thins out by a factor of e where there are no waves, metres.
 pub const LEAST_HEIGHT_M: f64 = 2.0;
 /// Optical depths along the sight to the horizon between which spray comes into a picture: less of the light is not missed.

@@ -242,7 +242,7 @@ fn dense_foam_lies_in_masses_wider_than_the_lace() {
 
 #[test]
 fn storms_draw_foam_out_along_the_wind() {
-    // What is left of the level 3 m on: farther than the meshes of old foam are wide. In a breeze the nets are drawn out by two, in a storm streaks by eight, and rows.
+    // What is left of the level 3 m on: farther than the meshes of old foam are wide. In a breeze the nets are drawn out by two, in a storm streaks by 32, and rows.
     let [breeze, storm] =
         [BREEZE, STORM].map(Lace::new).map(|lace| [[3.0, 0.0], [0.0, 3.0]].map(|way| lace.correlation_along(way)));
     println!("down the wind and across it: breeze {breeze:.3?}, storm {storm:.3?}");

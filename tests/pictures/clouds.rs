@@ -180,6 +180,20 @@ fn closed_clouds_have_relief_from_above() {
 }
 
 #[test]
+fn sunlit_clouds_are_not_burnt_from_above() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    for view in ["-18,-130,30000,60,55&time=2026-06-12T19:00:00Z", "30,-40,12000,60,60&time=2026-06-12T15:00:00Z"] {
+        let pixels = picture(&mut renderer, &format!("#view={view}"), [320, 180]);
+        let mut green: Vec<u8> = pixels.chunks_exact(4).map(|pixel| pixel[1]).collect();
+        green.sort_unstable();
+        let [middle, bright] = [green.len() / 2, green.len() * 95 / 100].map(|at| green[at]);
+        println!("{view}: half below {middle}, a twentieth over {bright}");
+        // White, with room over it for what is whiter.
+        assert!(middle > 180 && bright < 230, "{view}: {middle}, {bright}");
+    }
+}
+
+#[test]
 fn far_clouds_are_no_pinker_than_near_ones() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     // Over closed clouds by day, which end at the horizon a fifth of the picture below its top.
@@ -264,7 +278,7 @@ fn an_eye_among_clouds_sees_those_behind_the_ones_about_it() {
 /// How many times as bright a sky of so many clouds is beside the sun, as nine degrees from it.
 fn glow_about_the_sun(renderer: &mut Renderer, clouds: f64) -> f64 {
     const SIZE: [u32; 2] = [320, 180];
-    let link = format!("#view=10,-140,5,270,95&bft=3&clouds={clouds}&time=2026-05-04T02:40:00Z");
+    let link = format!("#view=10,-110,5,270,95&bft=3&clouds={clouds}&time=2026-05-04T00:40:00Z");
     let (frame, _) = render::draw(renderer, &render::parse_state(&link).unwrap(), SIZE, Output::Picture).unwrap();
     let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
     let u = &frame.uniform;

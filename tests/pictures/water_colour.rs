@@ -64,6 +64,21 @@ fn cool_shelves_are_green_and_gyres_blue() {
 
 /// Green over blue of what the bed of the Great Bahama Bank, 10 m down, adds to the open sea's light.
 #[test]
+fn rivers_make_warm_coasts_green_where_there_are_any() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Radiance of blue over that of green, straight down from 60 m.
+    let mut blueness = |place, hour| {
+        let [_, g, b] = water(&mut renderer, place, &format!("2026-06-21T{hour}:00:00Z"), "auto");
+        b / g
+    };
+    // Over pale sand 4 m down: the Bay of Halong, and Dahlak in the dry Red Sea. In the deep bay of Rio, and in a bay of the Azores.
+    let [halong, dahlak] = [("20.84,107.14", "05"), ("15.72,40.25", "09")].map(|(place, hour)| blueness(place, hour));
+    let [rio, terceira] = [("-22.80,-43.16", "15"), ("38.64,-27.2", "14")].map(|(place, hour)| blueness(place, hour));
+    println!("blue over green: Halong {halong:.2}, Dahlak {dahlak:.2}; Rio {rio:.2}, Terceira {terceira:.2}");
+    assert!(halong < 0.8 * dahlak && rio < 0.8 * terceira, "{halong} {dahlak} {rio} {terceira}");
+}
+
+#[test]
 fn banks_shine_through_ten_metres_of_water() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // No seagrass at low quality, no grain of sand, and no wind: the data's 10 m over all of the picture; and 1,500 m.

@@ -53,6 +53,12 @@ const TAKEN: f64 = 0.68;
 /// Share of what they take that a picture is exposed for, in stops: a grey day looks like one.
 const EXPOSED_FOR: f64 = 0.67;
 
+/// Heights between which an eye comes to have its picture exposed for sunlit clouds below it, metres, and where that is half of what it is before
+/// space, from where clouds are but a part of what is seen.
+const OVER_THEM_M: [f64; 3] = [3_000.0, 9_000.0, 80_000.0];
+/// How many times more light clouds all over the ground send up than a picture is exposed for; ours, of some that leave their tops shaded.
+const OVER_THEM: f64 = 0.6;
+
 /// Where the eye is among the clouds, and how much less light it has there; returns those that it sees, where there are any.
 pub fn set_clouds(
     u: &mut FrameUniform,
@@ -70,15 +76,18 @@ pub fn set_clouds(
     u.cloud_shift = clouds::shift(settings.clouds) as f32;
     let shown = settings.clouds > 0.0 && settings.layers.shows(Layer::Clouds) && settings.layers.shows(Layer::Sky);
     let weather = clouds::weather(unix_seconds);
-    if shown && camera.altitude_m < ABOVE_THEM_M[1] {
+    if shown {
         let towards = u.cloud_eye.as_dvec3().normalize();
         let share = overcast::share(towards, &weather, settings.clouds);
-        let [from, to] = ABOVE_THEM_M;
-        let below = 1.0 - ((camera.altitude_m - from) / (to - from)).clamp(0.0, 1.0);
+        let risen = |from: f64, to: f64| ((camera.altitude_m - from) / (to - from)).clamp(0.0, 1.0);
+        let below = 1.0 - risen(ABOVE_THEM_M[0], ABOVE_THEM_M[1]);
+        let [from, to, half] = OVER_THEM_M;
+        let over = risen(from, to) / (1.0 + (camera.altitude_m / half).powi(2));
         // No sun burns where clouds hide it.
         let sun = u.sun.as_dvec3();
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
         u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
+        u.exposure /= (1.0 + OVER_THEM * over * share * share) as f32;
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;

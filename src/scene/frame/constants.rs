@@ -91,6 +91,8 @@ fn relief_numbers() -> String {
         ("RUGGED_SHORE_LEVEL", rugged::SHORE_LEVEL.into()),
         ("RUGGED_ISLAND_LEVEL", rugged::ISLAND_LEVEL.into()),
         ("RUGGED_SHELF_LEVEL", rugged::SHELF_LEVEL.into()),
+        ("DROWNED_LEVEL", rugged::DROWNED_LEVEL.into()),
+        ("DROWNED_SHORE_LEVEL", rugged::DROWNED_SHORE_LEVEL.into()),
     ];
     let numbers = [
         ("RELIEF_UNITS", relief::UNITS_PER_M * relief::RADIUS_M),
@@ -116,6 +118,10 @@ fn relief_numbers() -> String {
         ("RUGGED_ISLAND_RISE", rugged::ISLAND_RISE),
         ("RUGGED_ISLAND_WIDE", rugged::ISLAND_WIDE_M),
         ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
+        ("DROWNED_WIDE", rugged::DROWNED_WIDE_M),
+        ("DROWNED_FOOT", rugged::DROWNED_FOOT_M),
+        ("DROWNED_ROUGH", rugged::DROWNED_ROUGH),
+        ("DROWNED_SOFT", rugged::DROWNED_SOFT_M),
         ("RUGGED_MOST", rugged::MOST_M),
         ("RUGGED_LEAST_SLOPE", rugged::LEAST_SLOPE),
         ("RUGGED_LOW", rugged::LOW_M),
@@ -132,6 +138,12 @@ fn relief_numbers() -> String {
         ("RUGGED_SHELF_DEPTHS", rugged::SHELF_M),
         ("RUGGED_BOLD", rugged::BOLD_M),
         ("RUGGED_KNOWN", rugged::KNOWN_M),
+        ("DROWNED_BROKEN", rugged::DROWNED_BROKEN),
+        ("DROWNED_INLAND", rugged::DROWNED_INLAND),
+        ("DROWNED_HILLS", rugged::DROWNED_HILLS_M),
+        ("DROWNED_SEA", rugged::DROWNED_SEA_M),
+        ("DROWNED_RISE", rugged::DROWNED_RISE),
+        ("TOWERS", rugged::TOWERS),
     ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));

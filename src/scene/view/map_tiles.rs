@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use glam::DVec3;
 
-use crate::data::streaming::Streaming;
+use crate::data::streaming::{Range, Streaming};
 use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::relief::WIDEST_M;
@@ -44,6 +44,10 @@ const BEACH_M: f64 = 60.0;
 /// is missed.
 const ISLAND_BED_M: f64 = -500.0;
 const SHELF_BED_M: f64 = -40.0;
+/// How far apart the elevations of [`rugged::DROWNED_LEVEL`] reach where hills may be drowned, metres: they deviate by half of it at most.
+const HILLS_M: f64 = 2.0 * rugged::DROWNED_HILLS_M[0];
+/// No drowned hill is farther inland, metres: [`rugged::DROWNED_INLAND`], with as much again for what the smoothed distance leaves out.
+const DROWNED_TO_M: f64 = 12_000.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -166,16 +170,19 @@ fn reaches_high_latitudes(id: TileId) -> bool {
 }
 
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
-/// there is no relief but what the data hold (`model::rugged`). Beside deep water, and low on the shelves of high latitudes, there may be any.
+/// there is no relief but what the data hold (`model::rugged`). Beside deep water, low on the shelves of high latitudes, and by shores before hills there may be any.
 fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
-    tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
+    let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
     let may_be_rocky = metres.least < rugged::KNOWN_M[1] && reaches_high_latitudes(id);
     let sea_m = if may_be_rocky { SHELF_BED_M } else { ISLAND_BED_M };
     let is_island = tiles.elevations_m(around, around.z).is_some_and(|around| around.least < sea_m);
-    let range_m = metres.greatest - metres.least.max(0.0);
-    (is_island || range_m > FLAT_M).then_some(if is_island { range_m.max(RUGGED_M) } else { range_m })
+    let range_of = |metres: Range| metres.greatest - metres.least.max(0.0);
+    let about = tiles.elevations_m(id, rugged::DROWNED_LEVEL);
+    let is_drowned = shore_m.greatest > -DROWNED_TO_M && about.is_some_and(|about| range_of(about) > HILLS_M);
+    let (range_m, is_raised) = (range_of(metres), is_island || is_drowned);
+    (is_raised || range_m > FLAT_M).then_some(if is_raised { range_m.max(RUGGED_M) } else { range_m })
 }
 
 /// Whether a tile has a strip of land by the ocean that waves may run up.
