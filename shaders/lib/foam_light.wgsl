@@ -22,8 +22,6 @@ fn flat_foam(white: f32, plume: f32) -> Foam {
 
 const FOAM_SPREADS: f32 = 0.4;   // share of the sun's light that goes on in the foam beyond its own lumps: their shaded sides are as warm; ours
 
-const FOAM_SLOPES_SHADE: f32 = 0.7;  // how much darker a wave's slope is than level water, of what its normal leaves of the vertical: 0.90 at 30 degrees, 0.80 at 45, below an overcast sky (P. Moon and D. Spencer 1942)
-
 fn wrapped_sun(normal: vec3f, to_sun: vec3f) -> f32 { return max((dot(normal, to_sun) + FOAM_WRAP) / (1.0 + FOAM_WRAP), 0.0); }
 
 // Radiance of dense foam on water with a `normal`; `sun` and `ambient` are irradiances, of a plane that faces the sun and of a level one.
@@ -31,10 +29,8 @@ fn foam_radiance(foam: Foam, normal: vec3f, up: vec3f, to_sun: vec3f, sun: vec3f
     let slope = normal / max(dot(normal, up), 0.1) - up - vec3f(foam.slope, 0.0);
     let own = normalize(up + slope * inverseSqrt(1.0 + dot(slope, slope) / (STEEPEST_FOAM * STEEPEST_FOAM)));
     let wrapped = mix(wrapped_sun(own, to_sun), wrapped_sun(normal, to_sun), FOAM_SPREADS);
-    // What a slope faces of an even sky, and waves' slopes of one that is brighter overhead; the steepest edges of foam, of which pixels show but few, count as
-    // 45 degrees.
-    let faced = 0.5 + 0.5 * inverseSqrt(1.0 + min(dot(foam.slope, foam.slope), 1.0));
-    let open = faced * (1.0 - FOAM_SLOPES_SHADE * (1.0 - dot(normal, up)));
+    // What a slope faces of an even sky; its steepest edges, of which pixels show but few, count as 45 degrees.
+    let open = 0.5 + 0.5 * inverseSqrt(1.0 + min(dot(foam.slope, foam.slope), 1.0));
     let colour = mix(THIN_FOAM_COLOUR, vec3f(1.0), saturate(2.0 * foam.white));
     return FOAM_ALBEDO / PI * foam.open * colour * (sun * wrapped + ambient * open);
 }
