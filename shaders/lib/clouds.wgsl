@@ -24,7 +24,7 @@ const BILLOW_FADE = 0.3;
 // Of each octave before heaps, of the one before: of ragged masses, of scattered clouds. The weather's levels tell where which are, a turn for so many.
 const CLOUD_FADES = vec2f(0.3, 2.0);
 const CLOUD_KINDS = vec2f(1.7, 3.1);
-// Octaves after the first are drawn out across this way: so long, of their width, are cells along others. Which way they lie depends on the place.
+// Octaves after the first are drawn out across this way: so wide, of their length, are cells along it. Which way they lie depends on the place.
 const CLOUD_ACROSS = vec3f(0.48, -0.36, 0.8);
 const CLOUD_LONG = 0.4;
 const CLOUD_BENT = vec3f(0.3, -0.15, 0.24);   // cells by which each octave before heaps bends those after it

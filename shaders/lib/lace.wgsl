@@ -25,9 +25,8 @@ const MIDST: f32 = 0.2;
 // The lip of dense foam shades the water before it: this wide, in deviations, and so much.
 const SHADED: f32 = 0.35;
 const SHADE: f32 = 0.6;
-// The film: how much lower than foam it lies about it, the width of its edge, from how much higher it is thick, the width of the passage to that, and the part
+// The film begins where foam ends: the width of its edge, from how much higher it is thick, the width of the passage to that, and the part
 // of its opacity that comes about at its edge: little, that there is dark water between streaks.
-const FILM_AROUND: f32 = 0.0;
 const FILM_EDGE: f32 = 0.08;
 const FILM_THICK: f32 = 0.52;
 const FILM_RAMP: f32 = 0.65;
@@ -136,7 +135,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     let heaps = net(finer * vec2i(4, -1), vec2i(512, 256), bent, footprint);
     let small = net(finer * vec2i(7, 2), vec2i(128, 64), bent, footprint);
     let coarse = net(finer * vec2i(3, 1), vec2i(1024, 512), bent, footprint);
-    let rows = drawn_out(finer * vec2i(2, 0), vec2i(16384, 1024), in_rows, pixel);
+    let rows = net_along(finer * vec2i(2, 0), vec2i(16384, 1024), in_rows, pixel);
     // And one of 1.57 m, for bubbles.
     let bubbles = net(finer * vec2i(5, -1), vec2i(32), bent, footprint);
     // Storms draw out what is old; what breaks tumbles.
@@ -145,7 +144,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     let streaked = STREAKED * storm();
     if streaked.x > 0.0 {
         // Of 745 by 23 m.
-        let streaks = drawn_out(finer * vec2i(11, 0), vec2i(32768, 1024), in_streaks, pixel);
+        let streaks = net_along(finer * vec2i(11, 0), vec2i(32768, 1024), in_streaks, pixel);
         middle = both(heaps, streaks, streaked.x);
         of_film_middle = both(heaps, streaks, streaked.y);
     }
@@ -250,7 +249,7 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     let inside = covered(above, seen.hidden.x);
     let rafts = shown_rafts(share, seen.rafts, fine);
     let white = opacity(above, inside, seen.hidden.x, rise, thick, deviation, rafts.x, film, fine);
-    let threshold = max(normal_quantile(height * frame.film.x), normal_quantile(share) + FILM_AROUND);
+    let threshold = max(normal_quantile(height * frame.film.x), normal_quantile(share));
     let filmed = threshold + seen.level.y;
     // Within foam it has no rafts of its own. Were it only between those of thin foam, both together would be a flat sheet.
     let faint = film * mix(rafts.y, 1.0, inside) * (FILM_FAINT * normal_share(filmed * inverseSqrt(seen.hidden.y + FILM_EDGE * FILM_EDGE))
@@ -283,7 +282,7 @@ fn mean_foam(share: f32, dense_from: f32, height: f32, fine: bool) -> Foam {
     let thick = normal_share(rise);
     let film = frame.film.y;
     let white = opacity(above, share, 1.0, rise, thick, deviation, 1.0, film, fine);
-    let threshold = max(normal_quantile(height * frame.film.x), quantile + FILM_AROUND);
+    let threshold = max(normal_quantile(height * frame.film.x), quantile);
     let faint = film * (FILM_FAINT * normal_share(threshold * inverseSqrt(1.0 + FILM_EDGE * FILM_EDGE))
         + (1.0 - FILM_FAINT) * normal_share((threshold - FILM_THICK) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.

@@ -20,11 +20,11 @@ fn lace_level(found: vec4f) -> f32 { return LACE_GREATEST_LEVEL * (found.x * 255
 // The tile, turned by a whole-numbered vector: `period` texels of the lace (0.25 m) over that vector's length are its sides. Powers of two
 // wrap exactly, so that it stays in its place however far the eye goes. `texels`: the way from the corner of the eye's texel.
 fn net(turn: vec2i, period: vec2i, texels: vec2f, footprint: Metres) -> Net {
-    return drawn_out(turn, period, texels, vec2f(footprint));
+    return net_along(turn, period, texels, vec2f(footprint));
 }
 
 // As `net`, of streaks: seen along the wind they stand although pixels are long there. `pixel`: metres along the wind and across it.
-fn drawn_out(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f) -> Net {
+fn net_along(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f) -> Net {
     let eye = frame.lace_texel;
     let whole = vec2i(turn.x * eye.x - turn.y * eye.y, turn.y * eye.x + turn.x * eye.y) & (period - 1);
     let t = vec2f(turn);

@@ -5,6 +5,7 @@
 const CELL_PIXELS: f32 = 8.0;    // along a cell of the ground's mesh where it has relief, at most; as src/scene/view/map_tiles.rs
 
 const LIFT_SEEN = vec2f(1000.0, 4000.0);   // widths of pixels between which raised islands are no longer seen, metres
+const DROWNED_SEEN = vec2f(150.0, 600.0);  // and drowned hills, which are a few hundred metres wide
 
 // Values of three by three texels as a quadratic B-spline weighs them at a place: mean, standard deviation, and how the mean rises to the
 // right and down on the map, of a texel.
@@ -113,10 +114,11 @@ fn strength_of(country: Country, elevation: Metres, lift: Metres) -> Metres {
     return smoothstep(0.0, RUGGED_LOW, elevation) * bounded * most / max(bounded + most, 1.0);
 }
 
-// What there is of all that is made this near to shores and to the border of the maps.
+fn far_from_seam(sin_lat: f32) -> f32 { return smoothstep(0.0, RUGGED_SEAM_FADE, abs(abs(sin_lat) - POLAR_SIN_LAT)); }
+
+// What there is of all but drowned hills that is made this near to shores and to the border of the maps.
 fn made_share(sin_lat: f32, ground: Ground) -> f32 {
-    return smoothstep(0.0, RUGGED_OCEAN_FADE, -ground.ocean_shore) * smoothstep(0.0, RUGGED_LAKE_FADE, -ground.lake_shore)
-        * smoothstep(0.0, RUGGED_SEAM_FADE, abs(abs(sin_lat) - POLAR_SIN_LAT));
+    return smoothstep(0.0, RUGGED_OCEAN_FADE, -ground.ocean_shore) * smoothstep(0.0, RUGGED_LAKE_FADE, -ground.lake_shore) * far_from_seam(sin_lat);
 }
 
 // How far the ground of such an island is raised, and how that rises by metres inland.
@@ -152,7 +154,8 @@ fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, groun
     let seen = 1.0 - smoothstep(LIFT_SEEN.x, LIFT_SEEN.y, footprint);
     let lift = seen * share * island_lift(country.island, country.inland, ground.elevation);
     let island = ground.elevation + lift.x;
-    let drowned = seen * drowned_lift(country.drowned, -ground.ocean_shore, island);
+    let stands = (1.0 - smoothstep(DROWNED_SEEN.x, DROWNED_SEEN.y, footprint)) * smoothstep(0.0, DROWNED_LAKE_FADE, -ground.lake_shore) * far_from_seam(sin_lat);
+    let drowned = stands * drowned_lift(country.drowned, -ground.ocean_shore, island);
     let elevation = island + drowned.x;
     let strong = share * strength_of(country, island, lift.x) + DROWNED_ROUGH * drowned.x * smoothstep(0.0, RUGGED_LOW, elevation);
     let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));

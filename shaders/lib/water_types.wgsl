@@ -59,8 +59,8 @@ fn in_mediterranean(point: MapPoint) -> f32 {
 const RUNOFF_LEVEL = 1u;
 const RUNOFF = vec2f(10.0, 45.0);      // that mean, metres, where rivers begin to make a coast turbid, and do; before islands and deep seas it is less
 const RUNOFF_KINDS = 3.2;              // by how many kinds, where it is warm: elsewhere shelves are so green already
-// The dry coasts about Arabia, as `MEDITERRANEAN`: 21 N, 46 E, 16 and 11 degrees.
-const ARABIA = vec4f(0.6278, 0.44036, 0.0444, 0.0333);
+// The dry coasts about Arabia, as `MEDITERRANEAN`: 21 N, 46 E, 20 and 14 degrees, as far as Aqaba.
+const ARABIA = vec4f(0.6278, 0.44036, 0.0556, 0.0425);
 
 // How much rivers carry to the coast about a place.
 fn runoff(point: MapPoint) -> f32 {

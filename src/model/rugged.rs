@@ -1,7 +1,7 @@
 //! How much relief a place has that its elevation data do not hold ([`super::relief`]), as those data themselves tell: the more they vary
 //! around it.
 //!
-//! Plains, shores, lakes, land below the sea and ice sheets have none, but for islands that the data have lost: these are raised. `shaders/lib/rugged.wgsl` is the same in single precision.
+//! Plains, shores, lakes, land below the sea and ice sheets have none, but for islands that the data have lost, drowned hills among them: these are raised. `shaders/lib/rugged.wgsl` is the same in single precision.
 
 use super::sea_bed::smoothstep;
 
@@ -84,6 +84,8 @@ pub const DROWNED_RISE: [f64; 2] = [0.3, 1.6];
 pub const DROWNED_WIDE_M: f64 = 110.0;
 /// Between their shores and this far inland they begin to rise, metres: the smallest are rocks and cays.
 pub const DROWNED_FOOT_M: f64 = 60.0;
+/// How far from a lake's or a river's shore they stand, metres.
+pub const DROWNED_LAKE_FADE_M: f64 = 60.0;
 /// Strength of their own relief, of what they are raised by.
 pub const DROWNED_ROUGH: f64 = 0.8;
 /// How softly they leave the data's ground, metres.
@@ -152,7 +154,7 @@ pub fn strength_m(around: Around, texel_m: f64, sin_lat: f64, [elevation_m, lift
     smoothstep(0.0, LOW_M, elevation_m) * bounded * most / (bounded + most).max(1.0)
 }
 
-/// What there is of all that is made this near to shores and to the border of the maps, 0 to 1.
+/// What there is of all but drowned hills that is made this near to shores and to the border of the maps, 0 to 1.
 pub fn fade(sin_lat: f64, shores: Shores) -> f64 {
     smoothstep(0.0, OCEAN_FADE_M, -shores.ocean_m)
         * smoothstep(0.0, LAKE_FADE_M, -shores.lake_m)
@@ -213,12 +215,14 @@ pub fn drowned_rise(inland: Around, deviation_m: f64, mean_m: f64, sin_lat: f64)
     (DROWNED_RISE[0] + (DROWNED_RISE[1] - DROWNED_RISE[0]) * towers) * broken * near * hills * shelf
 }
 
-/// How far ground at `elevation_m` is raised that is one of drowned hills which rise so steeply, metres, `inland_m` from the shore itself.
-pub fn drowned_lift_m(rise: f64, inland_m: f64, elevation_m: f64) -> f64 {
-    let x = inland_m.max(0.0);
+/// How far ground at `elevation_m` is raised that is one of drowned hills which rise so steeply, metres, so far from the shores themselves: lakes and rivers lie level
+/// between them.
+pub fn drowned_lift_m(rise: f64, shores: Shores, sin_lat: f64, elevation_m: f64) -> f64 {
+    let x = (-shores.ocean_m).max(0.0);
+    let dry = smoothstep(0.0, DROWNED_LAKE_FADE_M, -shores.lake_m) * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs());
     let begun = smoothstep(0.0, DROWNED_FOOT_M, x);
     let lack = (rise * begun * x / (1.0 + (x / DROWNED_WIDE_M).powi(2)).sqrt() - elevation_m.max(0.0)).max(0.0);
-    lack * lack / (lack + DROWNED_SOFT_M)
+    dry * lack * lack / (lack + DROWNED_SOFT_M)
 }
 
 /// Strength of their own relief, metres, of ground that is now at `elevation_m`.

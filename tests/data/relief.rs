@@ -138,23 +138,23 @@ fn hills_that_the_sea_has_drowned_stand_as_islands() {
         println!("{name}: up to {highest:.0} m where the data have {of_data:.0} m; {raised:.2} of {} places are higher than 30 m", inner.len());
         assert!((100.0..400.0).contains(&highest) && raised > most && inner.len() > 20, "{name}: {highest} m, {raised}");
     }
-    // As broken, and low: lagoons, deltas, marshes, skerries, cays before a deep sea.
-    for (name, place) in [
-        ("Venice", [45.44, 12.33]),
-        ("the Po's delta", [44.95, 12.45]),
-        ("Ten Thousand Islands", [25.85, -81.45]),
-        ("the Sundarbans", [21.9, 89.2]),
-        ("Zeeland", [51.6, 3.9]),
-        ("San Blas", [9.55, -78.95]),
-        ("Faro's lagoon", [36.99, -7.9]),
-        ("Aveiro's", [40.65, -8.72]),
-        ("Stockholm's skerries", [59.3, 18.8]),
-        ("the Bahamas", [24.0, -76.4]),
+    // As broken, and low: lagoons, deltas, marshes, skerries, cays before a deep sea. The last three lie before hills, of which a few metres are made up.
+    for (name, place, most_m) in [
+        ("Venice", [45.44, 12.33], 1.0),
+        ("the Po's delta", [44.95, 12.45], 1.0),
+        ("Ten Thousand Islands", [25.85, -81.45], 1.0),
+        ("the Sundarbans", [21.9, 89.2], 1.0),
+        ("Zeeland", [51.6, 3.9], 1.0),
+        ("Stockholm's skerries", [59.3, 18.8], 1.0),
+        ("the Bahamas", [24.0, -76.4], 1.0),
+        ("San Blas", [9.55, -78.95], 15.0),
+        ("Faro's lagoon", [36.99, -7.9], 15.0),
+        ("Aveiro's", [40.65, -8.72], 25.0),
     ] {
         let land = made(&mut world, place);
         let worst = land.iter().filter(|sample| sample.elevation_measured_m < 20.0).map(|sample| sample.relief_made_m).fold(0.0, f64::max);
         println!("{name}: {worst:.1} m made at most, of {} places", land.len());
-        assert!(worst < 25.0 && land.len() > 5, "{name}: {worst} m");
+        assert!(worst < most_m && land.len() > 5, "{name}: {worst} m");
     }
 }
 
@@ -194,7 +194,8 @@ fn water_shores_and_land_below_the_sea_have_none() {
             // What is made rises with the square of the distance: 3 (d / 700 m)² of a kilometre at most; of drowned hills as steeply as the steepest of these.
             if from_shore_m < 60.0 {
                 near += 1;
-                let drowned_m = if place == RIO { DROWNED_RISE[1] * from_shore_m } else { 0.0 };
+                let from_sea_m = sample.shore_distance_m.map_or(0.0, f64::abs);
+                let drowned_m = if place == RIO && from_shore_m == from_sea_m { DROWNED_RISE[1] * from_sea_m } else { 0.0 };
                 assert!(made_m.abs() < 22.0 * (from_shore_m / 60.0).powi(2) + drowned_m, "{place:?}: {sample:?}");
             }
         }

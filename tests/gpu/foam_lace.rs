@@ -100,7 +100,7 @@ impl Lace {
             gpu.bind("surface", &layouts[1], &surface.map(|_| wgpu::BindingResource::TextureView(&tile))),
         ];
         let kernel = Kernel::new(&gpu, &shader::composed(KERNEL, ""), "foamy", &layouts.each_ref());
-        // Over ten kilometres: hundreds of the rows' tiles, which are 256 m by 2 km.
+        // Over ten kilometres: hundreds of the rows' tiles, which are 128 m by 2 km.
         let place =
             |n| noise::bits(7, 5, n, 0).map(|bits| 10_000.0 * ((bits >> 40) as f32 / (1u32 << 24) as f32 - 0.5));
         let wind = [frame.wave_cells[0].wind.x, frame.wave_cells[0].wind.y];

@@ -62,7 +62,6 @@ fn cool_shelves_are_green_and_gyres_blue() {
     assert!(by_holland > 1.1 * north_sea, "{by_holland} {north_sea}");
 }
 
-/// Green over blue of what the bed of the Great Bahama Bank, 10 m down, adds to the open sea's light.
 #[test]
 fn rivers_make_warm_coasts_green_where_there_are_any() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
@@ -78,6 +77,7 @@ fn rivers_make_warm_coasts_green_where_there_are_any() {
     assert!(halong < 0.8 * dahlak && rio < 0.8 * terceira, "{halong} {dahlak} {rio} {terceira}");
 }
 
+/// Green over blue of what the bed of the Great Bahama Bank, 10 m down, adds to the open sea's light.
 #[test]
 fn banks_shine_through_ten_metres_of_water() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();

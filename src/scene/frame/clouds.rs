@@ -59,7 +59,10 @@ const OVER_THEM_M: [f64; 3] = [3_000.0, 9_000.0, 80_000.0];
 /// How many times more light clouds all over the ground send up than a picture is exposed for; ours, of some that leave their tops shaded.
 const OVER_THEM: f64 = 0.6;
 
-/// Where the eye is among the clouds, and how much less light it has there; returns those that it sees, where there are any.
+/// By the sun's height, its sine, times this, at most wholly.
+const OVER_THEM_SUN: f64 = 4.0;
+
+/// Where the eye is among the clouds, and how much less light it has there, or more above them; returns those that it sees, where there are any.
 pub fn set_clouds(
     u: &mut FrameUniform,
     settings: &Settings,
@@ -82,7 +85,8 @@ pub fn set_clouds(
         let risen = |from: f64, to: f64| ((camera.altitude_m - from) / (to - from)).clamp(0.0, 1.0);
         let below = 1.0 - risen(ABOVE_THEM_M[0], ABOVE_THEM_M[1]);
         let [from, to, half] = OVER_THEM_M;
-        let over = risen(from, to) / (1.0 + (camera.altitude_m / half).powi(2));
+        let sunlit = (OVER_THEM_SUN * f64::from(u.sun.z)).clamp(0.0, 1.0);
+        let over = sunlit * risen(from, to) / (1.0 + (camera.altitude_m / half).powi(2));
         // No sun burns where clouds hide it.
         let sun = u.sun.as_dvec3();
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);

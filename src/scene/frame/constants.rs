@@ -120,6 +120,7 @@ fn relief_numbers() -> String {
         ("RUGGED_ISLAND_SOFT", rugged::ISLAND_SOFT_M),
         ("DROWNED_WIDE", rugged::DROWNED_WIDE_M),
         ("DROWNED_FOOT", rugged::DROWNED_FOOT_M),
+        ("DROWNED_LAKE_FADE", rugged::DROWNED_LAKE_FADE_M),
         ("DROWNED_ROUGH", rugged::DROWNED_ROUGH),
         ("DROWNED_SOFT", rugged::DROWNED_SOFT_M),
         ("RUGGED_MOST", rugged::MOST_M),

@@ -93,7 +93,7 @@ pub const MIX_NEAR_M: f64 = 2_000.0;
 /// Farther than this the Perlin field alone does.
 pub const MIX_FAR_M: f64 = 16_000.0;
 /// Pixels so wide show no lace, metres: 256 texels of its widest rows (`lace_at` of `shaders/lib/lace.wgsl`), of whose variance the tile then
-/// keeps a thirtieth.
+/// keeps less than a thirtieth.
 const LACE_BLURRED_M: f32 = 64.0;
 /// How far the lens is before an eye at the surface, metres: nearer water does not show.
 pub const LENS_M: f64 = 0.2;
