@@ -4,6 +4,7 @@
 // Long, but one thing: a sight from the eye through both layers, step by step, and what each step adds to it.
 #import full_screen
 #import clouds
+#import ice_clouds
 #import decks
 #import cloud_layer
 #import cloud_light

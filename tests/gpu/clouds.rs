@@ -19,6 +19,7 @@ const DAY: f64 = 86_400.0;
 const BELTS: [std::ops::RangeInclusive<f32>; 3] = [3.0..=9.0, 18.0..=26.0, 52.0..=62.0];
 
 const KERNEL: &str = "#import clouds
+#import ice_clouds
 @group(2) @binding(0) var<storage, read> asked: array<vec4f>;   // a place and a footprint
 @group(2) @binding(1) var<storage, read_write> levels: array<vec4f>;
 @group(2) @binding(2) var<storage, read_write> places: array<vec4f>;
