@@ -58,7 +58,7 @@ const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film, in winds below storms and in these.
 const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.65);
-// Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark they are.
+// Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark the deepest of them are: none is a crack.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
 const CREASE: f32 = 0.35;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
@@ -264,7 +264,7 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     var open = 1.0;
     if fine {
         tilt += mix(BUMPS_THIN, -1.0, thick) * seen.bumps;
-        open -= CREASE * thick * clamp(seen.crease, -2.0, 2.0);
+        open -= CREASE * thick * seen.crease * inverseSqrt(1.0 + seen.crease * seen.crease);
     }
     // Rafts among film may be as thick as dense foam, and are no whiter.
     let opaque = min(white + faint, 1.0);
