@@ -45,6 +45,9 @@ const TURNED_LIGHT = vec2f(0.2, 1.2);   // of the light of a level surface: of o
 const CLOSED_TURNED = 1.03;             // and of closed clouds, turned to it: they are level nearly
 const TURNED = vec2f(-0.25, 0.65);      // deviations over SUNWARDS by which the level falls on a side that is turned away from the sun, and to it
 const FACING_MEAN = 0.75;               // where nothing is known of that
+const HIGH_TOPS: Metres = 6000.0;       // of what wide pixels see: of a low sun's light the highest tops have the most, and the least red
+const LEVEL_LIT = 0.3;                  // sine of the sun's elevation below which they have less of its light; what they have at least, as tops are
+const LEAST_LIT = 0.03;                 // uneven: both ours, as higher suns' light goes through such clouds the better the steeper it comes
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides
 const OWN_DEPTH: Metres = 60.0;        // of what an eye sees of a cloud that it meets
 const HIDDEN = 0.02;                    // what a cloud leaves of what is behind it, from where on a sight goes no further
@@ -137,7 +140,8 @@ fn grey_air(transmittance: vec3f) -> vec3f { return mix(transmittance, vec3f(dot
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
-    let clear = air_under(cover_at_eye());
+    let light = clouded_daylight_at_eye(daylight_at(frame.light.z));
+    let clear = light.air;
     let once = cloud_once(dot(direction, frame.light));
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
     let stretch = layer_stretch(ray, far);
@@ -210,7 +214,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
             let scatters = CLOUD_SCATTERS * mix(1.0, 0.6, closed) * mottled * pow(gaps, 0.3) * thick;
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
             heap.above = max(closed_ahead, heap.above);
-            let sun = SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu);
+            // Closed clouds are level: they have the less of a low sun's light the lower it stands. So have wide pixels' clouds, of which all sides count.
+            let level_lit = clamp(mu / LEVEL_LIT, LEAST_LIT, 1.0);
+            let sun = SUN_IRRADIANCE * sunlight(mix(CLOUD_TOP, HIGH_TOPS, wideness), mu) * mix(1.0, level_lit, max(closed, wideness));
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, once, direction.z);
             way += veil.through * shade * sight;
             veil.through *= 1.0 - shade;
@@ -234,18 +240,20 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let hidden = 1.0 - veil.through;
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
-    veil.radiance = veil.radiance * grey_air(air.transmittance) + hidden * lit_air(air.radiance, clear);
+    veil.radiance = veil.radiance * grey_air(air.transmittance) + hidden * lit_air(air, light);
     if GLOBE { return veil; }
-    // Before all of them stands the spray.
-    var light = daylight_at(frame.light.z);
-    light.air = clear;
+    // Before all of them stands the spray, in the light that the sky's has.
+    var sprayed = daylight_at(frame.light.z);
+    sprayed.air = clear;
     let left = exp(-spray_before_sky(direction.z));
-    let spray = spray_light(light, vec3f(0.0, 0.0, 1.0), direction);
+    let spray = spray_light(sprayed, vec3f(0.0, 0.0, 1.0), direction);
     return before(Veil((1.0 - left) * spray, left), veil);
 }
 
 // An eye so near their shell sees less of them: it would be a line, edge on.
 const ICE_THICK: Metres = 500.0;
+// Sines of the angle to it between which a sight from above loses it in the haze: it would be a row of white dashes on the horizon.
+const ICE_GRAZED = vec2f(0.005, 0.045);
 const ICE_DEEP = 3.0;                   // optical depth over which ice clouds become so
 const ICE_WHITE = 0.85;
 const ICE_GREY = 0.35;
@@ -258,7 +266,8 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let at = direction * t;
     let mu = sun_cosine(at);
     let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
-    let apart = smoothstep(0.0, ICE_THICK, abs(frame.eye_altitude - ICE_HEIGHT));
+    let grazed = select(smoothstep(ICE_GRAZED.x, ICE_GRAZED.y, rise), 1.0, frame.eye_altitude < ICE_HEIGHT);
+    let apart = grazed * smoothstep(0.0, ICE_THICK, abs(frame.eye_altitude - ICE_HEIGHT));
     // A pixel is longer on the shell than wide.
     let footprint = t * cloud_pixel() * pow(max(rise, 0.05), -0.4);
     let depth = apart * ice_optical_depth(cloud_place(at), footprint);

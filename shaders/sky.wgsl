@@ -29,7 +29,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     if CLOUDS {
         // Where a gap shows the sky the air on this side of the clouds is in their shadow, as it is before them.
         let near = air_below_clouds(direction) * exp(-spray_before_sky(direction.z));
-        radiance += lit_air(near, air_under(cover_at_eye())) - near;
+        radiance += under_clouds(near, air_under(cover_at_eye())) - near;
     }
     return vec4f(radiance * frame.exposure, 1.0);
 }

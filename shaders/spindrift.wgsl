@@ -14,11 +14,12 @@ const TILE = vec2f(36.0, 14.0);
 const PARTS = vec3f(0.75, 0.58, 0.32);
 // Turns of the wave clock's 32 bits in a turn of the drops along the tile: 18 m/s; those of finer tiles fly faster.
 const FLIGHT = 2048u;
-const BEGINS: f32 = 0.3;           // of its length in which it becomes dense
-const NARROW: f32 = 0.45;          // its width where it begins, of that where it ends
+const BEGINS: f32 = 0.22;          // of its length in which it becomes dense
+const NARROW: f32 = 0.3;           // its width where it begins, of that where it ends
+const DENSE: f32 = 2.2;            // how far along it it stays dense
 const WHIRLED: f32 = 0.22;         // of its width
-const RAGGED: f32 = 0.7;           // how far its edge is torn, and over which levels it goes
-const EDGE: f32 = 1.8;
+const RAGGED: f32 = 0.85;          // how far its edge is torn, and over which levels it goes
+const EDGE: f32 = 1.5;
 
 struct Vertex {
     @builtin(position) position: vec4f,
@@ -67,6 +68,6 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let across = (in.at.y + WHIRLED * along * (levels.x + levels.y)) / mix(NARROW, 1.0, along);
     let profile = smoothstep(0.0, BEGINS, along) * (1.0 - along) * max(1.0 - across * across, 0.0) * (1.0 - in.at.y * in.at.y);
     let level = dot(PARTS, levels);
-    let opacity = in.strength * min(1.6 * profile, 1.0) * smoothstep(0.0, EDGE, level + 3.0 * profile - RAGGED);
+    let opacity = in.strength * min(DENSE * profile, 1.0) * smoothstep(0.0, EDGE, level + 3.0 * profile - RAGGED);
     return opacity * vec4f(frame.exposure * in.light, 1.0);
 }

@@ -19,7 +19,9 @@ fn vertex(@builtin(vertex_index) index: u32, @location(0) star: vec4f, @location
     let direction = star.xyz;
     let clip = frame.clip_from_local * vec4f(direction, 0.0);
     let sky = dot(sky_seen(direction) + night_sky(direction.z), vec3f(0.2126, 0.7152, 0.0722)) * frame.exposure / HIDING;
-    let light = BRIGHTNESS * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
+    // Beside a sunlit earth an eye is not used to the dark.
+    let adapted = 1.0 - 0.7 * smoothstep(5e4, 3e5, frame.eye_altitude) * smoothstep(-0.45, -0.1, frame.light.z);
+    let light = adapted * BRIGHTNESS * exp2(-1.3288 * star.w) * exp(-sky * sky) * star_colour(colour_index) * beam_seen(direction);
     // Behind the earth, behind the eye, or not to be seen.
     if surface_hit(eye_ray(direction)) >= 0.0 || clip.w <= 0.0 || light.g < 0.001 { return no_spot(); }
     return spot_at(clip, 0.0, light, index);

@@ -5,6 +5,11 @@
 
 const CLOUD_RISES = 4u;     // of which a node knows how much of the sky is hidden there: sines (i / 4)^2, i from 1
 const LET_THROUGH = 0.26;   // of the sun's light by closed clouds: a day under them has a quarter to a third of a clear one's light
+// What the haze before clouds 1,500 m high leaves of them, over 40 km by a factor of e, at those rises, as rough water spreads them.
+const CLOUDS_IN_HAZE = vec4f(0.794, 0.879, 0.938, 0.964);
+// Shares of the sky from which on clouds are closed, and sines of the sun's elevation from which down its light comes from beyond them.
+const SHUT = vec2f(0.6, 0.95);
+const GLOW_BEYOND = vec2f(0.1, 0.0);
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
 
 // Numbers 0...1 in 16 bits each: three at each node, `Shadow` of clouds.wgsl, the last node for the eye's foot; then four at each of those for what
@@ -94,6 +99,8 @@ fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32,
         mix(net_hidden(first), net_hidden(first + 1u), at.f.x),
         mix(net_hidden(first + at.row), net_hidden(first + at.row + 1u), at.f.x), at.f.y);
     let x = f32(CLOUD_RISES) * sqrt(saturate(rise)) - vec4f(1.0, 2.0, 3.0, 4.0);
-    let share = dot(hidden, max(1.0 - abs(x), vec4f(0.0)));
+    // The glow of a sun behind the horizon comes from beyond closed clouds: what haze and gaps let through of it would glint out of nowhere.
+    let shut = smoothstep(SHUT.x, SHUT.y, cover) * smoothstep(GLOW_BEYOND.x, GLOW_BEYOND.y, frame.light.z);
+    let share = mix(dot(CLOUDS_IN_HAZE * hidden, max(1.0 - abs(x), vec4f(0.0))), 1.0, shut);
     return mix(sky, cloudy, share);
 }

@@ -176,7 +176,7 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
 
 const MIRRORED_SPREAD: f32 = 0.15;   // of the rise of what rough water mirrors
 
-// Share of the sky that clouds hide towards `direction` from a place, as rough water mirrors it. Far clouds stand in the haze.
+// Share of the sky that clouds hide towards `direction` from a place, as rough water mirrors it.
 fn mirrored_clouds(at: vec3f, direction: vec3f, up: vec3f, footprint: Metres) -> f32 {
     // Facets spread what they mirror over some 12 degrees: what lies at the horizon is mirrored with what stands over it. Cloud by cloud, each pixel
     // would find another, as the way to them changes there with the least slope.
@@ -184,6 +184,5 @@ fn mirrored_clouds(at: vec3f, direction: vec3f, up: vec3f, footprint: Metres) ->
     let rise = sqrt(level * level + MIRRORED_SPREAD * MIRRORED_SPREAD);
     let way = CLOUD_SHADOW / rise;
     let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), footprint), 0.1), 0.1);
-    let hidden = 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), 1.0 / rise);
-    return hidden * exp(-way / 40000.0);
+    return 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), 1.0 / rise);
 }

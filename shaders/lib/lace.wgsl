@@ -40,6 +40,9 @@ const STORM_NETS = vec3f(0.62, 0.1, 0.28);
 // it begins and ends.
 const STREAKED = vec2f(0.55, 0.9);
 const STREAKED_IN = vec2f(0.05, 0.2);
+// Gusts have whitened one stretch of a stormy sea more than the next: the part of the rows' variance that a net of hundreds of metres takes then, in foam and in
+// the film. Rows that are everywhere as dense would be hair.
+const GUSTED = vec2f(0.25, 0.5);
 // Near the eye the nets take turns: by so much their parts differ, in exponents, from one stretch of the water to the next, and so far, in
 // texels, they are bent over stretches of 32, 8 and 2 m. A sum of equals would be speckles of one size; bent any more they would fold.
 const TURNS = vec3f(1.6, 1.8, 1.6);
@@ -60,7 +63,7 @@ const RAFT_EDGE: f32 = 0.15;
 const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.65);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark the deepest of them are: none is a crack.
 const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
-const CREASE: f32 = 0.35;
+const CREASE: f32 = 0.4;
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
 // Below foam and film there are bubbles in the water: so many times their opacity.
@@ -141,15 +144,23 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     // Storms draw out what is old; what breaks tumbles.
     var middle = heaps;
     var of_film_middle = heaps;
+    var foam_rows = rows;
+    var film_rows = rows;
     let streaked = STREAKED * storm();
     if streaked.x > 0.0 {
         // Of 745 by 23 m.
         let streaks = net_along(finer * vec2i(11, 0), vec2i(32768, 1024), in_streaks, pixel);
         middle = both(heaps, streaks, streaked.x);
         of_film_middle = both(heaps, streaks, streaked.y);
+        // Of 2.6 by 1.3 km, turned as no other is: levels of one tile that lie in step are not independent.
+        let gusted = net_along(vec2i(3, -1), vec2i(32768, 16384), in_rows, pixel);
+        foam_rows = both(rows, gusted, GUSTED.x * storm());
+        film_rows = both(rows, gusted, GUSTED.y * storm());
     }
-    let levels = vec4f(middle.level, small.level, coarse.level, rows.level);
-    let kept = vec4f(middle.kept, small.kept, coarse.kept, rows.kept);
+    let levels = vec4f(middle.level, small.level, coarse.level, foam_rows.level);
+    let kept = vec4f(middle.kept, small.kept, coarse.kept, foam_rows.kept);
+    let film_levels = vec4f(of_film_middle.level, levels.yz, film_rows.level);
+    let film_kept = vec4f(of_film_middle.kept, kept.yz, film_rows.kept);
     // Squares of the weights, which sum to one.
     let parts = ROWS * smoothstep(0.015, 0.1, frame.whitecaps);
     let of_foam = vec4f((1.0 - parts.x) * nets, parts.x);
@@ -167,8 +178,8 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     let in_dense = dot(weights.xyz, CREASES.xyz);
     let crease = (dot(CREASES.xyz, dense_levels.xyz) + CREASES.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
     // Rows have no shape of their own.
-    return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), vec4f(of_film_middle.level, levels.yzw)), dense),
-        1.0 - vec3f(dot(of_foam, kept), dot(of_film, vec4f(of_film_middle.kept, kept.yzw)), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
+    return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), film_levels), dense),
+        1.0 - vec3f(dot(of_foam, kept), dot(of_film, film_kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
         mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
         mat3x2f(heaps.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
 }

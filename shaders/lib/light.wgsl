@@ -35,10 +35,19 @@ const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 const CLOUDED_AIR = 0.65;          // how much less colour the air has under clouds; ours
 const LIT_THROUGH = 0.5;           // light that clouds let through to the air below them, as they do to the ground (`shaded`)
 
-// Light of the air before something, of what it is under a clear sky: closed clouds light it with less light, which is white.
-fn lit_air(radiance: vec3f, clear: f32) -> vec3f {
+// Light of air or spray, of what it is under a clear sky: closed clouds light it with less light, which is white.
+fn under_clouds(radiance: vec3f, clear: f32) -> vec3f {
     let white = mix(radiance, vec3f(dot(radiance, LUMINANCE)), CLOUDED_AIR);
     return mix(LIT_THROUGH * white, radiance, clear);
+}
+
+// Light of the air before something. Tables know that of sun or moon alone: under clouds it has the light of these as well, which outlasts the sun's
+// at sea level in twilight, and at night the sky's own. Else what is far would be black against both.
+fn lit_air(air: Air, light: Daylight) -> vec3f {
+    let thick = vec3f(1.0) - air.transmittance;
+    let of_clouds = (1.0 - light.air) * seen_from_below(0.0, 1.0) / PI * light.sky;
+    let of_night = light.air * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT) * night_sky(0.0);
+    return max(under_clouds(air.radiance, light.air), thick * of_clouds) + thick * of_night;
 }
 
 // Radiance of closed clouds from below towards the sine `rise`, of the mean that lights level ground: light leaves a thick layer the less the more

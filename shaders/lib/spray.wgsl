@@ -4,6 +4,7 @@
 
 const SPRAY_LIGHT = 1.3;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
 const SPRAY_WHITE = 0.8;           // colour of daylight, which drops have; both ours
+const SPRAY_REFLECTS = 0.3;        // at least, of daylight: drops take none, and a high sun leaves the sky at the horizon dark
 
 // Over which it thins out by a factor of e.
 fn spray_height() -> Metres { return SPRAY_LEAST_HEIGHT + frame.wave_height; }
@@ -28,21 +29,30 @@ fn spray_before_sky(rise: f32) -> f32 {
 fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
     let level = direction - dot(direction, up) * up;
     let behind = sky_at_sea(normalize(level + 0.02 * length(level) * up + 1e-6 * up), up);
-    let down = light.sun * max(dot(frame.light, up), 0.0) + light.sky;
-    let white = dot(behind, LUMINANCE) / max(dot(down, LUMINANCE), 1e-9) * down;
-    return SPRAY_LIGHT * lit_air(mix(behind, white, SPRAY_WHITE), light.air);
+    // Its colour is that of the light there; clouds dim it as they do the air.
+    let sine = max(dot(frame.light, up), 0.0);
+    let down = light.sun * sine + light.sky;
+    let clear = daylight_at(dot(frame.light, up));
+    let lit = max(SPRAY_LIGHT * dot(behind, LUMINANCE), SPRAY_REFLECTS / PI * dot(clear.sun * sine + clear.sky, LUMINANCE));
+    let white = lit / max(dot(down, LUMINANCE), 1e-9) * down;
+    return under_clouds(mix(SPRAY_LIGHT * behind, white, SPRAY_WHITE), light.air);
 }
 
 // Radiance of a surface in that daylight, through spray and air.
 fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres) -> vec3f {
+    return through_spray(radiance, light, up, direction, distance, vec2f(1.0, 0.0));
+}
+
+// The same through spray that gusts drive: so many times as dense as usual (x), and a thin sheet on the water besides, of an optical depth (y).
+fn through_spray(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres, driven: vec2f) -> vec3f {
     if !SPRAY {
         let air = haze(direction, distance);
-        return radiance * air.transmittance + lit_air(air.radiance, light.air);
+        return radiance * air.transmittance + lit_air(air, light);
     }
-    let depth = spray_depth(direction.z, distance);
+    let depth = driven.x * spray_depth(direction.z, distance);
     let left = exp(-depth);
     // What thick spray shows is its near side; from high above all of it is far away.
-    let inside = depth / frame.spray;
+    let inside = depth / (driven.x * frame.spray);
     let air = haze(direction, distance - inside * select(1.0 - (1.0 - left) / depth, 0.0, depth < 1e-3));
-    return mix(spray_light(light, up, direction), radiance, left) * air.transmittance + lit_air(air.radiance, light.air);
+    return mix(spray_light(light, up, direction), radiance, left * exp(-driven.y)) * air.transmittance + lit_air(air, light);
 }

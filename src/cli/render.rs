@@ -155,15 +155,21 @@ pub fn picture(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Re
     renderer.gpu().read_texture(&target, 0, 0)
 }
 
-/// A measured layer of a state. The renderer must hold [`Radiance::Single`].
+/// A measured layer of a state.
 ///
 /// # Errors
-/// As [`picture`].
+/// As [`picture`]; [`Error::Gpu`] where the renderer does not hold [`Radiance::Single`].
 pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer: LayerName) -> Result<Measured> {
     let (frame, _) = draw(renderer, state, size, layer.output())?;
     let Some(texture) = renderer.radiance() else {
         return Err(Error::gpu("nothing was drawn", "report this"));
     };
+    if texture.format() != wgpu::TextureFormat::Rgba32Float {
+        return Err(Error::gpu(
+            "a layer is measured in floats of 32 bits, this renderer has others",
+            "make it with Radiance::Single",
+        ));
+    }
     let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
     let texels = bytes.chunks_exact(16).map(|t| bytemuck::pod_read_unaligned::<[f32; 4]>(t).map(f64::from));
     let sky = |t: &[f64; 4]| t[3] == 0.0;

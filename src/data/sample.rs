@@ -261,10 +261,14 @@ impl Map<'_, '_> {
         let (inland_m, inland_rise) = rugged::counted_inland(inland.mean_m, oceanic, rocky);
         let (lift_m, rise) = rugged::lift(oceanic.max(rocky), inland_m, elevation_m);
         let island_m = fade * lift_m;
-        let Some((hills_z, _)) = self.deepest(Layer::Terrain, point, rugged::DROWNED_LEVEL.min(terrain))? else { return Ok(0.0) };
+        let Some((hills_z, _)) = self.deepest(Layer::Terrain, point, rugged::DROWNED_LEVEL.min(terrain))? else {
+            return Ok(0.0);
+        };
         let Some((metres, t)) = self.neighbours(Layer::Terrain, hills_z)? else { return Ok(0.0) };
         let hills = Around::of(metres.map(|row| row.map(|[elevation_m, _]| elevation_m)), t);
-        let Some((broken_z, _)) = self.deepest(Layer::Water, point, rugged::DROWNED_SHORE_LEVEL.min(water))? else { return Ok(0.0) };
+        let Some((broken_z, _)) = self.deepest(Layer::Water, point, rugged::DROWNED_SHORE_LEVEL.min(water))? else {
+            return Ok(0.0);
+        };
         let Some((metres, t)) = self.neighbours(Layer::Water, broken_z)? else { return Ok(0.0) };
         let broken_m = texel_size_m(self.projection, broken_z, lat);
         let broken = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m / broken_m)), t);

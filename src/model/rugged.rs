@@ -219,7 +219,8 @@ pub fn drowned_rise(inland: Around, deviation_m: f64, mean_m: f64, sin_lat: f64)
 /// between them.
 pub fn drowned_lift_m(rise: f64, shores: Shores, sin_lat: f64, elevation_m: f64) -> f64 {
     let x = (-shores.ocean_m).max(0.0);
-    let dry = smoothstep(0.0, DROWNED_LAKE_FADE_M, -shores.lake_m) * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs());
+    let dry = smoothstep(0.0, DROWNED_LAKE_FADE_M, -shores.lake_m)
+        * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs());
     let begun = smoothstep(0.0, DROWNED_FOOT_M, x);
     let lack = (rise * begun * x / (1.0 + (x / DROWNED_WIDE_M).powi(2)).sqrt() - elevation_m.max(0.0)).max(0.0);
     dry * lack * lack / (lack + DROWNED_SOFT_M)

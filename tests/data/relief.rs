@@ -133,10 +133,19 @@ fn hills_that_the_sea_has_drowned_stand_as_islands() {
         let of_data = land.iter().map(|sample| sample.elevation_measured_m).fold(f64::MIN, f64::max);
         let highest = land.iter().map(|sample| sample.elevation_m).fold(f64::MIN, f64::max);
         // Where the ground is 100 m from the shore and more.
-        let inner: Vec<_> = land.iter().filter(|sample| sample.shore_distance_m.is_some_and(|m| (-1_000.0..-100.0).contains(&m))).collect();
+        let inner: Vec<_> = land
+            .iter()
+            .filter(|sample| sample.shore_distance_m.is_some_and(|m| (-1_000.0..-100.0).contains(&m)))
+            .collect();
         let raised = inner.iter().filter(|sample| sample.elevation_m > 30.0).count() as f64 / inner.len() as f64;
-        println!("{name}: up to {highest:.0} m where the data have {of_data:.0} m; {raised:.2} of {} places are higher than 30 m", inner.len());
-        assert!((100.0..400.0).contains(&highest) && raised > most && inner.len() > 20, "{name}: {highest} m, {raised}");
+        println!(
+            "{name}: up to {highest:.0} m where the data have {of_data:.0} m; {raised:.2} of {} places are higher than 30 m",
+            inner.len()
+        );
+        assert!(
+            (100.0..400.0).contains(&highest) && raised > most && inner.len() > 20,
+            "{name}: {highest} m, {raised}"
+        );
     }
     // As broken, and low: lagoons, deltas, marshes, skerries, cays before a deep sea. The last three lie before hills, of which a few metres are made up.
     for (name, place, most_m) in [
@@ -152,7 +161,11 @@ fn hills_that_the_sea_has_drowned_stand_as_islands() {
         ("Aveiro's", [40.65, -8.72], 25.0),
     ] {
         let land = made(&mut world, place);
-        let worst = land.iter().filter(|sample| sample.elevation_measured_m < 20.0).map(|sample| sample.relief_made_m).fold(0.0, f64::max);
+        let worst = land
+            .iter()
+            .filter(|sample| sample.elevation_measured_m < 20.0)
+            .map(|sample| sample.relief_made_m)
+            .fold(0.0, f64::max);
         println!("{name}: {worst:.1} m made at most, of {} places", land.len());
         assert!(worst < most_m && land.len() > 5, "{name}: {worst} m");
     }
@@ -195,7 +208,8 @@ fn water_shores_and_land_below_the_sea_have_none() {
             if from_shore_m < 60.0 {
                 near += 1;
                 let from_sea_m = sample.shore_distance_m.map_or(0.0, f64::abs);
-                let drowned_m = if place == RIO && from_shore_m == from_sea_m { DROWNED_RISE[1] * from_sea_m } else { 0.0 };
+                let drowned_m =
+                    if place == RIO && from_shore_m == from_sea_m { DROWNED_RISE[1] * from_sea_m } else { 0.0 };
                 assert!(made_m.abs() < 22.0 * (from_shore_m / 60.0).powi(2) + drowned_m, "{place:?}: {sample:?}");
             }
         }

@@ -307,3 +307,26 @@ fn thin_clouds_before_the_sun_glow_about_it_and_closed_ones_hide_it() {
     // Clouds that scatter evenly are 1.6 and 1.1 times so.
     assert!(thin > 5.0 && closed < 2.0, "{thin} {closed}");
 }
+
+/// Of a dawn over an overcast sea: means of the sky's rows by the horizon and high above it, and the most that a pixel of the sea is redder than
+/// blue, of 255.
+fn overcast_dawn(renderer: &mut Renderer, time: &str) -> ([f64; 3], [f64; 3], i32) {
+    let link = format!("#view=35.6812,-14.25,4,113,90&bft=3&clouds=0.95&quality=high&time=2026-11-20T{time}Z");
+    let pixels = picture(renderer, &link, [320, 180]);
+    // The horizon is in the row below the middle, where crests of grade 3 stand no higher than two.
+    let redder = pixels[4 * 320 * 100..].chunks_exact(4).map(|p| i32::from(p[0]) - i32::from(p[2])).max();
+    (mean(&pixels, 320, 80..87), mean(&pixels, 320, 10..20), redder.unwrap())
+}
+
+#[test]
+fn a_sea_under_closed_clouds_has_no_glints_of_a_sun_that_has_not_risen() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    for time in ["07:15:00", "07:36:00"] {
+        let (low, high, redder) = overcast_dawn(&mut renderer, time);
+        println!("{time}: sky {low:.0?} at the horizon, {high:.0?} above; the sea's reddest pixel by {redder}");
+        // Of grey light none is redder than blue. An overcast sky's horizon has half of what its zenith has, and more where haze is before it;
+        // display values go about with the square root.
+        assert!(redder < 4, "{redder}");
+        assert!(low[1] > 0.6 * high[1], "{low:?} {high:?}");
+    }
+}

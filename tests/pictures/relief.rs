@@ -154,9 +154,11 @@ fn drowned_hills_are_drawn_as_they_are_sampled() {
     let mut world = World::open(DATA);
     // Over two of Halong's islands; pixels 3 m wide.
     for place in ["20.8445,107.0915", "20.857,107.185"] {
-        let state = parse_state(&format!("#view={place},1200,0,0&clouds=0&quality=high&time=2026-06-21T05:00:00Z")).unwrap();
+        let state =
+            parse_state(&format!("#view={place},1200,0,0&clouds=0&quality=high&time=2026-06-21T05:00:00Z")).unwrap();
         let mut measured = |layer| render::measure(&mut renderer, &state, [160, 160], layer).unwrap().values;
-        let (places, heights, normals) = (measured(LayerName::Lonlat), measured(LayerName::Height), measured(LayerName::Normal));
+        let (places, heights, normals) =
+            (measured(LayerName::Lonlat), measured(LayerName::Height), measured(LayerName::Normal));
         let (mut sum, mut raised, mut products, mut drawn_power, mut true_power) = (0.0, 0, 0.0, 0.0, 0.0);
         for ((place, height), normal) in places.chunks_exact(2).zip(&heights).zip(normals.chunks_exact(3)) {
             let (lat, lon) = (place[1].to_radians(), place[0].to_radians());
@@ -170,16 +172,22 @@ fn drowned_hills_are_drawn_as_they_are_sampled() {
             }
             (sum, raised) = (sum + (sample.elevation_m - height).abs(), raised + 1);
             let mut elevation = |north, east| at(north, east).elevation_m;
-            let rise = DVec2::new(elevation(0.0, AHEAD_M) - elevation(0.0, -AHEAD_M), elevation(AHEAD_M, 0.0) - elevation(-AHEAD_M, 0.0));
+            let rise = DVec2::new(
+                elevation(0.0, AHEAD_M) - elevation(0.0, -AHEAD_M),
+                elevation(AHEAD_M, 0.0) - elevation(-AHEAD_M, 0.0),
+            );
             let slope = rise / (2.0 * AHEAD_M);
             let drawn = slope_of(DVec3::from_slice(normal), &state.camera, [lat, lon]);
             products += drawn.dot(slope);
             drawn_power += drawn.length_squared();
             true_power += slope.length_squared();
         }
-        let (off, alike, size) = (sum / f64::from(raised), products / (drawn_power * true_power).sqrt(), (drawn_power / true_power).sqrt());
+        let (off, alike, size) =
+            (sum / f64::from(raised), products / (drawn_power * true_power).sqrt(), (drawn_power / true_power).sqrt());
         let steepness = (true_power / f64::from(raised)).sqrt();
-        println!("{place}: {raised} pixels, off by {off:.2} m; slopes of {steepness:.2} are drawn {size:.2} times as steep, correlation {alike:.3}");
+        println!(
+            "{place}: {raised} pixels, off by {off:.2} m; slopes of {steepness:.2} are drawn {size:.2} times as steep, correlation {alike:.3}"
+        );
         assert!(raised > 1_000 && steepness > 0.2, "{place}: {raised} pixels, {steepness}");
         assert!(off < 1.0 && alike > 0.9 && (0.85..1.15).contains(&size), "{place}: {off} m, {alike}, {size}");
     }
