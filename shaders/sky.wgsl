@@ -7,12 +7,13 @@
 
 const MIRRORS_CLOUDS = FINE;
 
-// Light of the air of a sight of the sky as far as it is below the layer of clouds.
-fn air_below_clouds(direction: vec3f) -> vec3f {
+// The air of a sight of the sky as far as it is below the layer of clouds.
+fn air_below_clouds(direction: vec3f) -> Air {
     let stretch = layer_stretch(eye_ray(direction), 1e9);
     let returns = haze(direction, stretch.returns).radiance - haze(direction, stretch.leaves).radiance;
-    let first = haze(direction, stretch.first).radiance;
-    return select(select(vec3f(0.0), returns, stretch.returns > stretch.leaves), first, frame.eye_altitude < CLOUD_BASE);
+    let first = haze(direction, stretch.first);
+    let is_below = frame.eye_altitude < CLOUD_BASE;
+    return Air(select(select(vec3f(0.0), returns, stretch.returns > stretch.leaves), first.radiance, is_below), select(vec3f(1.0), first.transmittance, is_below));
 }
 
 @fragment
@@ -28,8 +29,9 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     var radiance = sky_light(direction);
     if CLOUDS {
         // Where a gap shows the sky the air on this side of the clouds is in their shadow, as it is before them.
-        let near = air_below_clouds(direction) * exp(-spray_before_sky(direction.z));
-        radiance += under_clouds(near, air_under(cover_at_eye())) - near;
+        let near = air_below_clouds(direction);
+        let light = clouded_daylight_at_eye(daylight_at(frame.light.z));
+        radiance += (shaded_air(near, light) - near.radiance) * exp(-spray_before_sky(direction.z));
     }
     return vec4f(radiance * frame.exposure, 1.0);
 }

@@ -39,7 +39,9 @@ fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
     let mu = max(mu_sun, 0.05);
     let cover = shadow.y;
     let diffuse = LET_THROUGH * light.sun * mu;
-    return Daylight(light.sun * shadow.x, mix(light.sky, 0.5 * light.sky + diffuse, cover), cover, air_under(cover_at_eye()), shadow.z);
+    let over_eye = cover_at_eye();
+    let clouded = 0.5 * light.sky + diffuse;
+    return Daylight(light.sun * shadow.x, mix(light.sky, clouded, cover), cover, air_under(over_eye), shadow.z, mix(light.sky, clouded, over_eye));
 }
 
 fn net_shadow(node: u32) -> vec3f {
@@ -91,7 +93,9 @@ fn net_hidden(node: u32) -> vec4f {
 // (src/pass/kind.rs), and MIRRORS_CLOUDS.
 fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32, up: vec3f) -> vec3f {
     let cloudy = seen_from_below(rise, cover * cover) * (LET_THROUGH * clear.sun * max(dot(frame.light, up), 0.0) + 0.5 * clear.sky) / PI;
-    if !MIRRORS_CLOUDS { return mix(sky, cloudy, QUICK_HIDDEN * cover); }
+    // The glow of a sun behind the horizon comes from beyond closed clouds: what haze and gaps let through of it would glint out of nowhere.
+    let shut = smoothstep(SHUT.x, SHUT.y, cover) * smoothstep(GLOW_BEYOND.x, GLOW_BEYOND.y, dot(frame.light, up));
+    if !MIRRORS_CLOUDS { return mix(sky, cloudy, mix(QUICK_HIDDEN * cover, 1.0, shut)); }
     let net = cloud_net_size();
     let at = in_net_of(place, mirror_net_size());
     let first = net.x * net.y + 1u + at.first;
@@ -99,8 +103,6 @@ fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32,
         mix(net_hidden(first), net_hidden(first + 1u), at.f.x),
         mix(net_hidden(first + at.row), net_hidden(first + at.row + 1u), at.f.x), at.f.y);
     let x = f32(CLOUD_RISES) * sqrt(saturate(rise)) - vec4f(1.0, 2.0, 3.0, 4.0);
-    // The glow of a sun behind the horizon comes from beyond closed clouds: what haze and gaps let through of it would glint out of nowhere.
-    let shut = smoothstep(SHUT.x, SHUT.y, cover) * smoothstep(GLOW_BEYOND.x, GLOW_BEYOND.y, frame.light.z);
     let share = mix(dot(CLOUDS_IN_HAZE * hidden, max(1.0 - abs(x), vec4f(0.0))), 1.0, shut);
     return mix(sky, cloudy, share);
 }

@@ -153,7 +153,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
         middle = both(heaps, streaks, streaked.x);
         of_film_middle = both(heaps, streaks, streaked.y);
         // Of 2.6 by 1.3 km, turned as no other is: levels of one tile that lie in step are not independent.
-        let gusted = net_along(vec2i(3, -1), vec2i(32768, 16384), in_rows, pixel);
+        let gusted = net_along(finer * vec2i(3, -1), vec2i(32768, 16384), in_rows, pixel);
         foam_rows = both(rows, gusted, GUSTED.x * storm());
         film_rows = both(rows, gusted, GUSTED.y * storm());
     }

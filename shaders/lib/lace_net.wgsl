@@ -25,11 +25,11 @@ fn net(turn: vec2i, period: vec2i, texels: vec2f, footprint: Metres) -> Net {
 
 // As `net`, of streaks: seen along the wind they stand although pixels are long there. `pixel`: metres along the wind and across it.
 fn net_along(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f) -> Net {
-    return net_blown(turn, period, texels, pixel, 0.0);
+    return net_blown(turn, period, texels, pixel, vec2f(0.0));
 }
 
-// As `net_along`, of what has been blown down the wind by so many of the tile's lengths, if that is not turned.
-fn net_blown(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f, blown: f32) -> Net {
+// As `net_along`, of what has been blown down the wind by so much of the tile's sides.
+fn net_blown(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f, blown: vec2f) -> Net {
     let eye = frame.lace_texel;
     let whole = vec2i(turn.x * eye.x - turn.y * eye.y, turn.y * eye.x + turn.x * eye.y) & (period - 1);
     let t = vec2f(turn);
@@ -37,7 +37,7 @@ fn net_blown(turn: vec2i, period: vec2i, texels: vec2f, pixel: vec2f, blown: f32
     // Texels of the tile per metre.
     let scale = LACE_TEXELS * length(t) / (frame.foam_levels[0].side * vec2f(period));
     let lod = max(log2(max(pixel.x * scale.x, pixel.y * scale.y)), 0.0);
-    let found = textureSampleLevel(lace, repeated, (vec2f(whole) + way) / vec2f(period) - vec2f(blown, 0.0), lod);
+    let found = textureSampleLevel(lace, repeated, (vec2f(whole) + way) / vec2f(period) - blown, lod);
     let slope = LACE_GREATEST_SLOPE * (found.yz * 255.0 - 128.0) / 127.0 * scale;
     // Between two mip levels, which are not the same, some more is lost; fitted.
     let between = fract(lod);

@@ -22,13 +22,14 @@ fn sky_at_sea(direction: vec3f, up: vec3f) -> vec3f {
 // Irradiance at sea level: of a plane that faces the sun, by the sun alone; of level ground, by the sky. `cover`: the share of the sky
 // there that clouds cover. `air`: how far the air before the eye is lit as under a clear sky, 1, or under clouds alone, 0. `disc`: the part of the
 // sun's irradiance that comes from its disc, the rest being what clouds before it have spread: that glints of nothing.
-struct Daylight { sun: vec3f, sky: vec3f, cover: f32, air: f32, disc: f32 }
+// `air_sky`: the sky's, under the clouds over the eye, which lights the air before it.
+struct Daylight { sun: vec3f, sky: vec3f, cover: f32, air: f32, disc: f32, air_sky: vec3f }
 
 fn daylight_at(mu_sun: f32) -> Daylight {
     let size = f32(textureDimensions(sky_irradiance).x);
     let x = (sun_coordinate(mu_sun) * (size - 1.0) + 0.5) / size;
     let sky = textureSampleLevel(sky_irradiance, clamped, vec2f(x, 0.5), 0.0).rgb + frame.night * frame.night_ground * NIGHT_IRRADIANCE;
-    return Daylight(sun_irradiance_at(mu_sun), sky, 0.0, 1.0, 1.0);
+    return Daylight(sun_irradiance_at(mu_sun), sky, 0.0, 1.0, 1.0, sky);
 }
 
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
@@ -44,10 +45,14 @@ fn under_clouds(radiance: vec3f, clear: f32) -> vec3f {
 // Light of the air before something. Tables know that of sun or moon alone: under clouds it has the light of these as well, which outlasts the sun's
 // at sea level in twilight, and at night the sky's own. Else what is far would be black against both.
 fn lit_air(air: Air, light: Daylight) -> vec3f {
-    let thick = vec3f(1.0) - air.transmittance;
-    let of_clouds = (1.0 - light.air) * seen_from_below(0.0, 1.0) / PI * light.sky;
     let of_night = light.air * exp(-max(frame.eye_altitude, 0.0) / RAYLEIGH_HEIGHT) * night_sky(0.0);
-    return max(under_clouds(air.radiance, light.air), thick * of_clouds) + thick * of_night;
+    return shaded_air(air, light) + (1.0 - air.transmittance) * of_night;
+}
+
+// The same without the night's, before a sky that has it.
+fn shaded_air(air: Air, light: Daylight) -> vec3f {
+    let of_clouds = (1.0 - light.air) * seen_from_below(0.0, 1.0) / PI * light.air_sky;
+    return max(under_clouds(air.radiance, light.air), (1.0 - air.transmittance) * of_clouds);
 }
 
 // Radiance of closed clouds from below towards the sine `rise`, of the mean that lights level ground: light leaves a thick layer the less the more

@@ -60,27 +60,34 @@ fn streaks_seen(direction: vec3f, up: vec3f, long: Metres, wide: Metres) -> vec2
     return vec2f(length(vec2f(along * long, beside * wide)), length(vec2f(beside * long, along * wide)));
 }
 
-// Spray is driven in gusts, and in sheets along the wind: the level of two nets, of so many texels each, which are blown so many times
-// their length while the wave clock's 32 bits turn: 20 m/s. Part of the level's variance that the narrow one has, and deviation of the logarithm of
-// how dense spray is.
+// Spray is driven in gusts, and in sheets along the wind: the level of two nets, of turns and texels as given, which are blown so many times their sides
+// while the wave clock's 32 bits turn: 20 m/s. The sheets' are turned by 7 degrees, as levels of one tile that lie in step are not independent. Part of
+// the level's variance that they have, and deviation of the logarithm of how dense spray is.
 const GUSTS = vec2i(8192, 2048);
-const SHEETS = vec2i(2048, 512);
-const BLOWN = vec2u(40u, 160u);
+const GUSTS_BLOWN = vec2u(40u, 0u);
+const SHEETS_TURN = vec2i(8, 1);
+const SHEETS = vec2i(16384, 4096);
+const SHEETS_BLOWN = vec2u(160u, 80u);
 const IN_SHEETS = 0.35;
 const GUSTINESS = 0.7;
 // Close to the water there is a sheet of it so deep, were it as dense as the rest.
 const SHEET: Metres = 3.5;
+const DRIVEN_FROM: Metres = 150.0;     // of a shore, where land's pixels, which know of no gusts, are next to the sea's
+
+// Of a number of turns of the wave clock's, how far the last has come.
+fn clock_turns(times: vec2u) -> vec2f { return vec2f(frame.clock * times) / 4294967296.0; }
 
 // How dense spray is before a place of the foam map's plane, of the usual, and the optical depth of the sheet on the water. `pixel`: as `lace_in` has it.
-fn driven_spray(at: vec2f, pixel: vec2f, grazing: f32) -> vec2f {
+fn driven_spray(at: vec2f, pixel: vec2f, grazing: f32, distance: Metres, from_shore: Metres) -> vec2f {
     let wind = wave_cells[0].wind;
     let texels = frame.lace_fraction + vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y) / frame.foam_levels[0].side;
-    let blown = vec2f(frame.clock * BLOWN) / 4294967296.0;
-    let level = both(net_blown(vec2i(1, 0), GUSTS, texels, pixel, blown.x), net_blown(vec2i(1, 0), SHEETS, texels, pixel, blown.y), IN_SHEETS);
+    let level = both(net_blown(vec2i(1, 0), GUSTS, texels, pixel, clock_turns(GUSTS_BLOWN)),
+        net_blown(SHEETS_TURN, SHEETS, texels, pixel, clock_turns(SHEETS_BLOWN)), IN_SHEETS);
     // Below storms it is too thin to be torn.
-    let deviation = GUSTINESS * storm();
+    let driven = storm() * smoothstep(0.0, DRIVEN_FROM, from_shore);
+    let deviation = GUSTINESS * driven;
     let gust = exp(deviation * level.level - 0.5 * deviation * deviation * level.kept);
-    return vec2f(gust, frame.spray * SHEET * storm() * gust / max(grazing, 0.02));
+    return vec2f(gust, frame.spray * driven * gust * min(SHEET / max(grazing, 0.02), distance));
 }
 
 // What it shows; `is_sea`: whether that is the sea, or what stands there without it.
@@ -235,7 +242,10 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     }
     // The bed has no air before it yet, land has.
     var driven = vec2f(1.0, 0.0);
-    if SPRAY && FINE { driven = driven_spray(foam_at, streaks_seen(direction, up, footprint * footprint / across, across), grazing); }
+    if SPRAY && FINE {
+        let along_streaks = streaks_seen(direction, up, footprint * footprint / across, across);
+        driven = driven_spray(foam_at, along_streaks, grazing, distance, ground.ocean_shore);
+    }
     var radiance = through_spray(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance, driven);
     if !ground.is_ocean { radiance = mix(behind, radiance, covers); }
     if limb.share < 1.0 {

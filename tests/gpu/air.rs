@@ -284,7 +284,7 @@ fn compare(@builtin(global_invocation_id) id: vec3u) {
     let direction = rays[id.x].xyz;
     let distance = surface_hit(eye_ray(direction));
     let up = normal_delta(direction * distance) + vec3f(0.0, 0.0, 1.0);
-    let dark = Daylight(vec3f(0.0), vec3f(0.0), 0.0, 1.0, 1.0);
+    let dark = Daylight(vec3f(0.0), vec3f(0.0), 0.0, 1.0, 1.0, vec3f(0.0));
     let depth = spray_depth(direction.z, distance);
     // Without light of its own: spray_light's share is taken off.
     let seen = through_air(vec3f(0.0), dark, up, direction, distance);

@@ -22,7 +22,7 @@ struct Asked { direction: vec3f, kind: f32, distance: f32, radiance: f32, altitu
 fn look(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    let w = underwater_of(a.kind, Daylight(vec3f(1.0), vec3f(0.2), 0.0, 1.0, 1.0));
+    let w = underwater_of(a.kind, Daylight(vec3f(1.0), vec3f(0.2), 0.0, 1.0, 1.0, vec3f(0.2)));
     seen[id.x] = vec4f(seen_through(w, vec3f(a.radiance), a.altitude, a.direction, a.distance, 1.0), w.to_sun.z);
     beams[id.x] = vec4f(w.beam, 0.0);
     // What a short piece of the sight adds.
