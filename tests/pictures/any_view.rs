@@ -117,6 +117,6 @@ fn a_layer_is_not_measured_in_floats_of_16_bits() {
     let mut renderer = headless("www/data", Radiance::Half).unwrap();
     let state = parse_state("#view=0,-30,1000,0,60&clouds=0&quality=low&time=2026-11-20T12:00:00Z").unwrap();
     let refused =
-        measure(&mut renderer, &state, SIZE, LayerName::Depth).err().expect("numbers of another width").to_string();
+        measure(&mut renderer, &state, SIZE, LayerName::Depth).expect_err("numbers of another width").to_string();
     assert!(refused.contains("32 bits") && refused.contains("Radiance::Single"), "{refused}");
 }
