@@ -140,7 +140,8 @@ fn grey_air(transmittance: vec3f) -> vec3f { return mix(transmittance, vec3f(dot
 // and from where a fine one is in a cloud, towards the sun. As in lib/waves.wgsl, the loop ends at its foot. `grain`, 0…1: where in its steps a
 // pixel looks.
 fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32) -> Veil {
-    let light = clouded_daylight_at_eye(daylight_at(frame.light.z));
+    let sunny = daylight_at(frame.light.z);
+    let light = clouded_daylight_at_eye(sunny);
     let clear = light.air;
     let once = cloud_once(dot(direction, frame.light));
     let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
@@ -243,10 +244,8 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     veil.radiance = veil.radiance * grey_air(air.transmittance) + hidden * lit_air(air, light);
     if GLOBE { return veil; }
     // Before all of them stands the spray, in the light that the sky's has.
-    var sprayed = daylight_at(frame.light.z);
-    sprayed.air = clear;
     let left = exp(-spray_before_sky(direction.z));
-    let spray = spray_light(sprayed, vec3f(0.0, 0.0, 1.0), direction);
+    let spray = spray_light(Daylight(sunny.sun, sunny.sky, 0.0, clear, 1.0, light.air_sky), vec3f(0.0, 0.0, 1.0), direction);
     return before(Veil((1.0 - left) * spray, left), veil);
 }
 

@@ -23,7 +23,6 @@ const SIZES = vec2f(0.7, 0.6);             // sizes differ: of the least plume, 
 const TORN_IN = vec2f(0.1, 0.6);
 const CRESTS_IN = vec2f(0.0, 0.25);
 const STRONGEST: f32 = 0.9;                // opacity in a hurricane
-const STRONGER: f32 = 0.75;                // power with which it goes with the wind over a gale's
 const NEAREST_PLUME = vec2f(3.0, 9.0);     // metres of its axis from the eye in which it gives way, lest it fill the picture
 // Thick spray in the sun: what it sends back of it, how much more it sends on ahead, and what it sends back of the sky's light.
 const LIT = vec3f(0.28, 0.96, 0.96);
@@ -70,7 +69,7 @@ fn tear(@builtin(global_invocation_id) id: vec3u) {
     let distance = length(place.moved);
     let size = (SIZES.x + SIZES.y * random.w) * vec2f(dot(LENGTHS[square], vec2f(1.0, frame.wave_height)), dot(WIDTHS[square], vec2f(1.0, frame.wave_height)));
     let nearest = length(place.moved + clamp(-dot(place.moved, downwind()), 0.0, size.x) * downwind());
-    let strength = select(0.0, STRONGEST * pow(max(frame.spindrift, 0.0), STRONGER), place.is_ocean) * crest * smoothstep(TORN_IN.x, TORN_IN.y, young) * shown(square, offset)
+    let strength = select(0.0, STRONGEST * frame.spindrift, place.is_ocean) * crest * smoothstep(TORN_IN.x, TORN_IN.y, young) * shown(square, offset)
         * smoothstep(NEAREST_PLUME.x, NEAREST_PLUME.y, nearest);
 
     let up = normal_delta(rest) + vec3f(0.0, 0.0, 1.0);

@@ -13,6 +13,12 @@ fn foam_coordinates(p: vec3f) -> vec2f {
     return in_plane(plane_of(0u), p);
 }
 
+// Texels of the lace, whose tile is unturned, from the one of the eye to a place of the foam map's plane: along the wind and across it.
+fn lace_texels(at: vec2f) -> vec2f {
+    let wind = wave_cells[0].wind;
+    return frame.lace_fraction + vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y) / frame.foam_levels[0].side;
+}
+
 // How much of the waves' height the mesh still shows. Its triangles are four footprints wide: before they flatten the longest waves, a fifth of the patch,
 // crests must not matter.
 fn crests_kept(footprint: Metres) -> f32 { return 1.0 - smoothstep(0.1, 0.5, 4.0 * footprint / (0.2 * frame.perlin_patch)); }

@@ -115,9 +115,7 @@ fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
 
 // `pixel`: how long it is along the wind and across it, for streaks.
 fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -> Lace {
-    let wind = wave_cells[0].wind;
-    let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
-    let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
+    let texels = lace_texels(at);
     var bent = texels;
     var in_rows = texels;
     var in_streaks = texels;

@@ -28,8 +28,6 @@ fn roller_at(rest: vec3f, away: Metres, spacing: Metres, height: Metres, local: 
     let at = foam_coordinates(rest);
     // As pixels see it.
     let young = foam_share(at, height, local, distance * frame.pixel_angle / pow(grazing, 0.65), true).young;
-    let wind = wave_cells[0].wind;
-    let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
-    let lumps = net(vec2i(4, -1), vec2i(512, 256), frame.lace_fraction + along / frame.foam_levels[0].side, max(spacing, ROLLER_LUMPS.y)).level;
+    let lumps = net(vec2i(4, -1), vec2i(512, 256), lace_texels(at), max(spacing, ROLLER_LUMPS.y)).level;
     return min(shown * min(kept, 1.0) * young * roller_height() * (1.0 + ROLLER_LUMPS.x * clamp(lumps, -2.0, 2.0)), ROLLER_NEAR * away);
 }

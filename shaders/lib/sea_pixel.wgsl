@@ -15,6 +15,7 @@
 #import shore_pixels
 #import water
 #import spray
+#import driven_spray
 #import surf
 #import translucence
 #import window
@@ -58,36 +59,6 @@ fn streaks_seen(direction: vec3f, up: vec3f, long: Metres, wide: Metres) -> vec2
     let along = min(abs(dot(level, wind)), 1.0);
     let beside = sqrt(1.0 - along * along);
     return vec2f(length(vec2f(along * long, beside * wide)), length(vec2f(beside * long, along * wide)));
-}
-
-// Spray is driven in gusts, and in sheets along the wind: the level of two nets, of turns and texels as given, which are blown so many times their sides
-// while the wave clock's 32 bits turn: 20 m/s. The sheets' are turned by 7 degrees, as levels of one tile that lie in step are not independent. Part of
-// the level's variance that they have, and deviation of the logarithm of how dense spray is.
-const GUSTS = vec2i(8192, 2048);
-const GUSTS_BLOWN = vec2u(40u, 0u);
-const SHEETS_TURN = vec2i(8, 1);
-const SHEETS = vec2i(16384, 4096);
-const SHEETS_BLOWN = vec2u(160u, 80u);
-const IN_SHEETS = 0.35;
-const GUSTINESS = 0.7;
-// Close to the water there is a sheet of it so deep, were it as dense as the rest.
-const SHEET: Metres = 3.5;
-const DRIVEN_FROM: Metres = 150.0;     // of a shore, where land's pixels, which know of no gusts, are next to the sea's
-
-// Of a number of turns of the wave clock's, how far the last has come.
-fn clock_turns(times: vec2u) -> vec2f { return vec2f(frame.clock * times) / 4294967296.0; }
-
-// How dense spray is before a place of the foam map's plane, of the usual, and the optical depth of the sheet on the water. `pixel`: as `lace_in` has it.
-fn driven_spray(at: vec2f, pixel: vec2f, grazing: f32, distance: Metres, from_shore: Metres) -> vec2f {
-    let wind = wave_cells[0].wind;
-    let texels = frame.lace_fraction + vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y) / frame.foam_levels[0].side;
-    let level = both(net_blown(vec2i(1, 0), GUSTS, texels, pixel, clock_turns(GUSTS_BLOWN)),
-        net_blown(SHEETS_TURN, SHEETS, texels, pixel, clock_turns(SHEETS_BLOWN)), IN_SHEETS);
-    // Below storms it is too thin to be torn.
-    let driven = storm() * smoothstep(0.0, DRIVEN_FROM, from_shore);
-    let deviation = GUSTINESS * driven;
-    let gust = exp(deviation * level.level - 0.5 * deviation * deviation * level.kept);
-    return vec2f(gust, frame.spray * driven * gust * min(SHEET / max(grazing, 0.02), distance));
 }
 
 // What it shows; `is_sea`: whether that is the sea, or what stands there without it.

@@ -28,9 +28,7 @@ const MEAN_FACETS = Facets(1e9, 0.0, 0.0, 1.0, 1.0, 1.0);
 // Facets of a pixel `across` wide whose middle lies at a place of the foam map's plane and sees the water under a sine of `grazing`.
 fn facets_at(at: vec2f, across: Metres, grazing: f32) -> Facets {
     // Squares of the water at rest, as wide as the pixel or half as wide: a power of two of texels of the lace.
-    let wind = wave_cells[0].wind;
-    let along = vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y);
-    let texels = frame.lace_fraction + along / frame.foam_levels[0].side;
+    let texels = lace_texels(at);
     let size = clamp(i32(floor(log2(across / frame.foam_levels[0].side))), -8, 8);
     let coarser = vec2u(u32(max(size, 0)));
     let finer = u32(max(-size, 0));

@@ -64,8 +64,7 @@ const OF_WIDE: f32 = 0.6;
 // The lace where a part of the foam is surf's: what rollers leave has not been drawn out by the wind. The sea's nets, as wide as crests are apart and long along the
 // wind, would cut its lines into flecks.
 fn in_surf(seen: Lace, at: vec2f, footprint: Metres, part: f32) -> Lace {
-    let wind = wave_cells[0].wind;
-    let texels = frame.lace_fraction + vec2f(-wind.x * at.x - wind.y * at.y, wind.y * at.x - wind.x * at.y) / frame.foam_levels[0].side;
+    let texels = lace_texels(at);
     // Of 17.6 m and 5.5 m.
     let froth = both(net(vec2i(5, -3), vec2i(128), texels, footprint), net(vec2i(7, 2), vec2i(512), texels, footprint), OF_WIDE);
     let own = OF_SURF * saturate(part);

@@ -12,6 +12,8 @@ const HURRICANE_PER_M: f64 = 3.912 / 600.0;
 const HURRICANE_MPS: f64 = 32.7;
 /// Where its grade 8 does, the first with spindrift, m/s.
 const GALE_MPS: f64 = 17.2;
+/// Spindrift grows with this power of the wind over a gale's.
+const SPINDRIFT_POWER: f64 = 0.75;
 /// Extinction grows with this power of the wind: 6.6 km at 22.6 m/s, 20 km at 19 m/s.
 const POWER: f64 = 6.5;
 /// Height over which spray thins out by a factor of e where there are no waves, metres.
@@ -24,9 +26,10 @@ pub fn extinction_per_m(speed_mps: f64) -> f64 {
     HURRICANE_PER_M * libm::pow((speed_mps / HURRICANE_MPS).clamp(0.0, 1.5), POWER)
 }
 
-/// How much spindrift the wind tears off breaking crests, of a hurricane's, 0…1, by its speed in m/s: none below grade 8. Nobody has measured it.
+/// How much spindrift the wind tears off breaking crests, of a hurricane's, 0…1, by its speed in m/s: none below grade 8, and much of it
+/// from 10 on, where seas tumble. Nobody has measured it.
 pub fn spindrift(speed_mps: f64) -> f64 {
-    ((speed_mps - GALE_MPS) / (HURRICANE_MPS - GALE_MPS)).clamp(0.0, 1.0)
+    libm::pow(((speed_mps - GALE_MPS) / (HURRICANE_MPS - GALE_MPS)).clamp(0.0, 1.0), SPINDRIFT_POWER)
 }
 
 /// Height over which spray thins out by a factor of e, metres, by the sea's significant wave height in metres.

@@ -65,6 +65,23 @@ const BREEZE: f32 = 0.005;
 const STORM: f32 = 0.2;
 const SHARES: [f32; 6] = [0.01, 0.03, 0.1, 0.3, 0.6, 0.9];
 const POINTS: i32 = 131_072;
+
+/// Layouts and bind groups of a kernel that reads the frame and the lace.
+pub fn lace_groups(gpu: &Gpu, frame: &Frame) -> ([wgpu::BindGroupLayout; 2], [wgpu::BindGroup; 2]) {
+    // The lace alone is read of bind group 1, at its last binding.
+    let surface = [Bind::Texture(wgpu::TextureViewDimension::D2); 12];
+    let layouts = [kernel::frame_layout(gpu), gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &surface)];
+    let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
+    let lace = pass::foam::empty_lace(gpu);
+    pass::foam::fill_lace(gpu, &lace);
+    let tile = texture::view(&lace);
+    let groups = [
+        kernel::frame_group(gpu, &layouts[0], &uniform, &frame.wave_cells),
+        gpu.bind("surface", &layouts[1], &surface.map(|_| wgpu::BindingResource::TextureView(&tile))),
+    ];
+    (layouts, groups)
+}
+
 struct Lace {
     gpu: Gpu,
     groups: [wgpu::BindGroup; 2],
@@ -88,17 +105,7 @@ impl Lace {
         frame.uniform.lace_texel = [0, 1].map(|axis| frame.uniform.lace_texel[axis] + moved[axis]);
         // As high as a gale's: dense foam lies in its widest masses.
         frame.uniform.wave_height = 6.0;
-        // The lace alone is read of bind group 1, at its last binding.
-        let surface = [Bind::Texture(wgpu::TextureViewDimension::D2); 12];
-        let layouts = [kernel::frame_layout(&gpu), gpu.layout("surface", wgpu::ShaderStages::COMPUTE, &surface)];
-        let uniform = gpu.buffer("frame", wgpu::BufferUsages::UNIFORM, bytemuck::bytes_of(&frame.uniform));
-        let lace = pass::foam::empty_lace(&gpu);
-        pass::foam::fill_lace(&gpu, &lace);
-        let tile = texture::view(&lace);
-        let groups = [
-            kernel::frame_group(&gpu, &layouts[0], &uniform, &frame.wave_cells),
-            gpu.bind("surface", &layouts[1], &surface.map(|_| wgpu::BindingResource::TextureView(&tile))),
-        ];
+        let (layouts, groups) = lace_groups(&gpu, &frame);
         let kernel = Kernel::new(&gpu, &shader::composed(KERNEL, ""), "foamy", &layouts.each_ref());
         // Over ten kilometres: hundreds of the rows' tiles, which are 128 m by 2 km.
         let place =

@@ -8,6 +8,7 @@ mod bisection;
 mod bloom;
 mod clouds;
 mod daylight;
+mod driven_spray;
 mod ensemble;
 mod exact;
 mod far_sea;

@@ -330,3 +330,17 @@ fn a_sea_under_closed_clouds_has_no_glints_of_a_sun_that_has_not_risen() {
         assert!(low[1] > 0.6 * high[1], "{low:?} {high:?}");
     }
 }
+
+#[test]
+fn clouds_at_the_terminator_are_dim_and_not_orange_seen_from_space() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // The terminator goes through the middle of the disc.
+    let link = "#view=-20,60,8000000&time=2026-11-20T13:20:00Z&quality=high&layers=-stars";
+    let pixels = picture(&mut renderer, link, [320, 180]);
+    let part = |found: &dyn Fn(&[u8]) -> bool| pixels.chunks_exact(4).filter(|p| found(p)).count();
+    let lit = part(&|p| p[..3].iter().map(|v| u32::from(*v)).sum::<u32>() > 60);
+    let orange = part(&|p| p[0] > p[2].saturating_add(25));
+    println!("{orange} of {lit} lit pixels are orange");
+    // Deserts and the glint of the sun are no part of this view. With tops at 2.1 km in a low sun's full light 4 % are.
+    assert!(lit > 15_000 && orange * 200 < lit, "{orange} of {lit}");
+}
