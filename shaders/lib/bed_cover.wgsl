@@ -48,11 +48,14 @@ const COVER_EDGE = vec2f(0.03, 0.025);         // half the width of an edge ther
 
 struct BedCover { grass: f32, rock: f32 }
 
-// Cover by the noises of meadows and of reefs, their edges `blurred` by what is not seen of them.
-fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres) -> BedCover {
+// How deep seagrass grows where daylight fades so fast, per metre (C. Duarte 1991).
+fn meadows_to(fading: f32) -> Metres { return 1.82 / pow(fading, 1.07); }
+
+// Cover by the noises of meadows and of reefs, their edges `blurred` by what is not seen of them; meadows grow to `deepest`.
+fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres, deepest: Metres) -> BedCover {
     let edge = COVER_EDGE + blurred;
     let begun = smoothstep(COVER_BEGINS - edge, COVER_BEGINS + edge, vec2f(meadow, reef));
-    let grass = begun.x * smoothstep(0.7, 2.0, depth) * (1.0 - smoothstep(15.0, 30.0, depth));
+    let grass = begun.x * smoothstep(0.7, 2.0, depth) * (1.0 - smoothstep(0.5, 1.0, depth / deepest));
     return BedCover(grass, begun.y * (1.0 - grass));
 }
 
@@ -71,12 +74,12 @@ fn meadow_and_reef(place: vec2f, wide: vec4f, fine: vec3f) -> vec2f {
 }
 
 // As an eye in the water has it that sees so much of the bed in a pixel. `fine`: noises over 16, 4 and 1 m.
-fn bed_cover(place: vec2f, depth: Metres, fine: vec3f, footprint: Metres) -> BedCover {
+fn bed_cover(place: vec2f, depth: Metres, deepest: Metres, fine: vec3f, footprint: Metres) -> BedCover {
     let wide = wide_shown(footprint);
     let near = fine_shown(footprint);
     let noise = meadow_and_reef(place, wide, fine * near);
     let hidden = length(vec2f(length(WIDE * (1.0 - wide)), length(MEADOWS_FINE * (1.0 - near))));
-    return cover_of(noise.x, noise.y, 1.5 * BED_NOISE_DEVIATION * hidden, depth);
+    return cover_of(noise.x, noise.y, 1.5 * BED_NOISE_DEVIATION * hidden, depth, deepest);
 }
 
 const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows are many here and few there
@@ -84,7 +87,7 @@ const APART_FROM: Metres = 12.0;
 const SPARSE = 0.09;                 // how wide the edges are between which meadows thin out, seen from above; of the noise
 
 // Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them.
-fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -> vec3f {
+fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, footprint: Metres) -> vec3f {
     // Beyond the polar circles nothing grows there.
     if point.square != MERCATOR || depth > BARE_FROM { return sand; }
     let place = pattern_place(point, vec2f(0.0));
@@ -93,7 +96,7 @@ fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, footprint: Metres) -
     let regional = 0.9 * smoothstep(ALIKE_TO, APART_FROM, footprint) * vec2f(map_noise(point.at, 13u, 51u) - 0.5, map_noise(point.at, 15u, 52u) - 0.5);
     let noise = meadow_and_reef(place, wide, fine);
     let hidden = WIDE * (1.0 - wide);
-    let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth);
+    let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth, deepest);
     let tone = 1.0 + 0.22 * fine.x + 0.3 * wide.z * bed_noise(place, 64.0, 45u).z;
     return mix(mix(sand * tone, SEAGRASS, cover.grass), REEF, cover.rock);
 }

@@ -185,7 +185,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
-            albedo = covered_bed(point, albedo, -ground.elevation, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
+            let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);
+            albedo = covered_bed(point, albedo, -ground.elevation, meadows, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
         }
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);

@@ -28,8 +28,8 @@ const SHADE: f32 = 0.6;
 // The film begins where foam ends: the width of its edge, from how much higher it is thick, the width of the passage to that, and the part
 // of its opacity that comes about at its edge: little, that there is dark water between streaks.
 const FILM_EDGE: f32 = 0.08;
-const FILM_THICK: f32 = 0.52;
-const FILM_RAMP: f32 = 0.65;
+const FILM_THICK: f32 = 0.5;
+const FILM_RAMP: f32 = 0.42;
 const FILM_FAINT: f32 = 0.12;
 // Parts of the variance of g: those that rows along the wind have, from grade 8 on, in foam and in the film; of the rest each of the nets, below storms and in
 // them, where streaks count most.
@@ -60,14 +60,19 @@ const RAFTS: f32 = 0.5;
 const FILM_RAFT: f32 = 0.7;
 const RAFT_EDGE: f32 = 0.15;
 // How plainly rafts show, of thin foam that covers little and much of the water, and of the film, in winds below storms and in these.
-const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.65);
+const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.85);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark the deepest of them are: none is a crack.
-const CREASES = vec4f(0.5, 0.55, 0.45, 0.5);
-const CREASE: f32 = 0.4;
+const CREASES = vec4f(0.4, 0.6, 0.15, 0.7);
+const CREASE: f32 = 0.3;
+const CREASE_ENDS: f32 = 0.3;      // of their depth squared, by which they end: the deepest are half as bright as foam without
+const FILM_CREASED: f32 = 0.5;     // of a deviation by which rafts of film, which gather along those walls, have more of them than the sea
+const BODY = vec2f(0.45, 0.9);     // opacities from which on foam of any kind has these, and at which it has all of their depth
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
 // Below foam and film there are bubbles in the water: so many times their opacity.
 const BUBBLES_BELOW: f32 = 2.0;
+// Storms stir them into all of the water under the film: so much of a plume's; ours.
+const STIRRED: f32 = 0.75;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
 const BUMPS = vec3f(0.12, 0.035, 0.012);
 const BUMPS_THIN: f32 = 0.15;
@@ -107,6 +112,9 @@ fn both(a: Net, b: Net, share: f32) -> Net {
 
 // How far storms have drawn foam out along the wind, 0…1.
 fn storm() -> f32 { return smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps); }
+
+// Share of the water that storms have filled with bubbles where no foam is, by what depth and lee leave of the waves' height.
+fn stirred(height: f32) -> f32 { return STIRRED * storm() * height * frame.film.x; }
 
 // The lace at a place of the foam map's plane, `finer` times as small as on the open water, with relief of the same steepness.
 fn lace_at(at: vec2f, footprint: Metres, finer: i32, fine: bool) -> Lace {
@@ -271,13 +279,16 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     let thickness = FOAM_RISE.x + FOAM_RISE.y * min(frame.wave_height, FOAM_RISE.z);
     var tilt = thickness * 0.4 * deviation * exp(-0.5 * min(rise * rise, 60.0)) * seen.slope;
     var open = 1.0;
-    if fine {
-        tilt += mix(BUMPS_THIN, -1.0, thick) * seen.bumps;
-        open -= CREASE * thick * seen.crease * inverseSqrt(1.0 + seen.crease * seen.crease);
-    }
     // Rafts among film may be as thick as dense foam, and are no whiter.
     let opaque = min(white + faint, 1.0);
-    return Foam(opaque, open, max(plume, saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, fine),
+    if fine {
+        // They have its shape, too.
+        let body = max(thick, smoothstep(BODY.x, BODY.y, white + faint));
+        tilt += mix(BUMPS_THIN, -1.0, body) * seen.bumps;
+        let deep = seen.crease * inverseSqrt(1.0 + CREASE_ENDS * seen.crease * seen.crease);
+        open -= CREASE * (body * deep - (body - thick) * FILM_CREASED * (1.0 - seen.hidden.y));
+    }
+    return Foam(opaque, open, max(max(plume, stirred(height)), saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 
@@ -296,6 +307,6 @@ fn mean_foam(share: f32, dense_from: f32, height: f32, fine: bool) -> Foam {
         + (1.0 - FILM_FAINT) * normal_share((threshold - FILM_THICK) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.
     let bubbles = saturate(0.5 * share + BUBBLES_BELOW * faint);
-    return Foam(white + faint, 1.0, max(normal_share((above - 1.0) * inverseSqrt(1.25)), bubbles), shade_of(rise, thick, deviation, fine),
+    return Foam(white + faint, 1.0, max(max(normal_share((above - 1.0) * inverseSqrt(1.25)), stirred(height)), bubbles), shade_of(rise, thick, deviation, fine),
         vec2f(0.0));
 }

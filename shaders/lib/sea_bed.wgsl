@@ -45,7 +45,7 @@ const RIPPLES_FIRST = vec2f(0.934, 0.358);      // ways that they lie across
 const RIPPLES_SECOND = vec2f(0.788, 0.616);
 const RIPPLES_THIRD = vec2f(0.31, 0.95);
 
-fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
+fn bed_look(place: vec2f, depth: Metres, deepest: Metres, pixel: Footprint) -> BedLook {
     // As good as square, for what has no direction.
     let footprint = sqrt(pixel.across * length(vec2f(pixel.across, length(pixel.along))));
     // Broad heaps, and the bends of ripples.
@@ -70,7 +70,7 @@ fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
     let tone = 1.0 + 0.10 * ripple.z * calm + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
         + 0.12 * tiny.z * shown(footprint, 0.25);
     var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
-    let cover = bed_cover(place, depth, vec3f(broad.z, heaps.z, small.z), length(vec2f(pixel.across, length(pixel.along))));
+    let cover = bed_cover(place, depth, deepest, vec3f(broad.z, heaps.z, small.z), length(vec2f(pixel.across, length(pixel.along))));
     let grass = cover.grass;
     let rock = cover.rock;
     let blades = 0.5 + 1.1 * tiny.z * shown(footprint, 0.25) + 0.9 * small.z;
@@ -83,7 +83,7 @@ fn bed_look(place: vec2f, depth: Metres, pixel: Footprint) -> BedLook {
 
 // Radiance of the bed at a way from the eye's foot, where the water is `depth` deep. `caustic`: the sun's light there over its mean.
 fn bed_light(w: Underwater, way: vec2f, depth: Metres, pixel: Footprint, caustic: f32) -> vec3f {
-    let look = bed_look(bed_place(way), depth, pixel);
+    let look = bed_look(bed_place(way), depth, meadows_to(w.fading.g), pixel);
     let normal = normalize(vec3f(-look.slope, 1.0));
     let left = exp(-w.fading * depth);
     // What has been scattered on its way shows no wave.

@@ -190,3 +190,44 @@ fn shores_are_shaped_as_in_the_model() {
         }
     }
 }
+
+const MEADOWS: &str = "#import bed_cover
+struct Asked { place: vec2f, depth: f32, fading: f32 }
+@group(2) @binding(0) var<storage, read> asked: array<Asked>;
+@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    found[id.x] = bed_cover(a.place, a.depth, meadows_to(a.fading), vec3f(0.0), 1.0).grass;
+}";
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Meadow {
+    place: [f32; 2],
+    depth: f32,
+    fading: f32,
+}
+
+#[test]
+fn seagrass_grows_as_deep_as_light_lets_it() {
+    // Green light, per metre, of the clear ocean, a shelf, a coast and an estuary.
+    for fading in [0.068, 0.113, 0.19, 0.5] {
+        // C. Duarte 1991: the decimal logarithm of the depth is 0.26 less 1.07 that of the attenuation.
+        let deepest = 10f64.powf(0.26 - 1.07 * f64::log10(fading));
+        let share = |depth: f64| {
+            let places = (0..16_384).map(|k| [k % 128, k / 128].map(|k| 32.0 * k as f32));
+            let asked: Vec<_> =
+                places.map(|place| Meadow { place, depth: depth as f32, fading: fading as f32 }).collect();
+            let found = kernel::answers::<_, f32>(MEADOWS, &asked);
+            found.iter().map(|&grass| f64::from(grass)).sum::<f64>() / found.len() as f64
+        };
+        let [half, most, beyond] = [0.5, 0.8, 1.01].map(|part| share(part * deepest));
+        println!(
+            "{fading} a metre, to {deepest:.1} m: {half:.3} at half of that, {most:.3} at 0.8, {beyond:.5} beyond"
+        );
+        // In the shallows there is none, either: half of what an estuary lets it grow to lies within their edge.
+        assert!(half > 0.03 && most < 0.6 * half && beyond < 1e-4, "{fading}: {half} {most} {beyond}");
+    }
+}

@@ -14,7 +14,7 @@ use crate::kernel::{self, Kernel};
 
 const KERNEL: &str = "#import lace
 struct Asked { at: vec2f, share: f32, young: f32, footprint: f32, texels: f32, finer: i32, coarse: u32 }
-struct Found { covered: f32, white: f32, mean_white: f32, open: f32, foam: f32, dense: f32, unused: vec2f }
+struct Found { covered: f32, white: f32, mean_white: f32, open: f32, foam: f32, dense: f32, plume: f32, mean_plume: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<Found>;
 @compute @workgroup_size(64)
@@ -27,8 +27,9 @@ fn foamy(@builtin(global_invocation_id) id: vec3u) {
     let seen = lace_at(own.at + vec2f(wind.y * way.y - wind.x * way.x, -wind.y * way.x - wind.x * way.y), own.footprint, own.finer, own.coarse == 0u);
     let dense = dense_from(own.young);
     let foam = foam_of(own.share, dense, 1.0, seen, true);
-    found[id.x] = Found(covered(excess(own.share, seen.level.x), seen.hidden.x), foam.white, mean_foam(own.share, dense, 1.0, true).white,
-        foam.open, seen.level.x, seen.level.z, vec2f(0.0));
+    let mean = mean_foam(own.share, dense, 1.0, true);
+    found[id.x] = Found(covered(excess(own.share, seen.level.x), seen.hidden.x), foam.white, mean.white, foam.open, seen.level.x, seen.level.z,
+        foam.plume, mean.plume);
 }";
 
 #[repr(C)]
@@ -57,7 +58,9 @@ struct Found {
     /// Levels of all foam and of dense foam.
     foam: f32,
     dense: f32,
-    unused: [f32; 2],
+    /// Share of the water below that is full of bubbles, and where pixels hide the lace.
+    plume: f32,
+    mean_plume: f32,
 }
 
 /// Shares of the water that break: of a breeze, whose foam has neither rows nor a film, and of a storm.
@@ -272,6 +275,42 @@ fn creases_of_dense_foam_are_dark_but_take_no_light_from_the_whole() {
             assert!(spread.sqrt() > 0.1, "flat: {}", spread.sqrt());
         }
     }
+}
+
+#[test]
+fn what_covers_the_sea_in_storms_is_not_flat_where_nothing_breaks() {
+    let found = Lace::new(STORM).found(|at| Asked {
+        at,
+        share: 0.5,
+        young: 1e-4,
+        footprint: 0.02,
+        texels: 0.0,
+        finer: 1,
+        coarse: 0,
+    });
+    let covered: Vec<_> = found.iter().filter(|f| f.white > 0.8).map(|f| f64::from(f.open)).collect();
+    let mean = covered.iter().sum::<f64>() / covered.len() as f64;
+    let deviation = (covered.iter().map(|open| (open - mean).powi(2)).sum::<f64>() / covered.len() as f64).sqrt();
+    println!("{} of {POINTS} places white: light {mean:.3}, deviation {deviation:.3}", covered.len());
+    assert!(covered.len() > 1000 && deviation > 0.1 && (mean - 1.0).abs() < 0.05, "{mean} {deviation}");
+}
+
+#[test]
+fn storms_stir_bubbles_into_the_water_between_their_foam() {
+    let between = |breaking| {
+        let lace = Lace::new(breaking);
+        let found = lace.aged(0.05, 0.05);
+        let clear = found.iter().filter(|f| f.white < 0.05);
+        let least = clear.map(|f| f.plume).fold(f32::MAX, f32::min);
+        [least, lace.aged(0.05, 1e4)[0].mean_plume]
+    };
+    let ([breeze, _], [storm, from_afar]) = (between(BREEZE), between(STORM));
+    // As the film covers 1 - exp(-3 of what breaks) of a storm's sea.
+    let film = 1.0 - (-3.0 * STORM).exp();
+    println!(
+        "of a plume's bubbles in dark water: breeze {breeze:.3}, storm {storm:.3}, from afar {from_afar:.3}; film {film:.3}"
+    );
+    assert!(breeze < 0.05 && storm > 0.5 * film && from_afar >= storm, "{breeze} {storm} {from_afar}");
 }
 
 #[test]

@@ -77,6 +77,27 @@ fn rivers_make_warm_coasts_green_where_there_are_any() {
     assert!(halong < 0.8 * dahlak && rio < 0.8 * terceira, "{halong} {dahlak} {rio} {terceira}");
 }
 
+#[test]
+fn great_rivers_carry_silt_into_the_sea() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Radiance of red and of blue over that of green, straight down from 60 m.
+    let mut tint = |(place, hour)| {
+        let [r, g, b] = water(&mut renderer, place, &format!("2026-06-21T{hour}:00:00Z"), "auto");
+        [r / g, b / g]
+    };
+    // Off the mouths of the Amazon, the Mississippi and the Plate; out at sea beyond the first, and before Florida, which has no such river.
+    let [amazon, mississippi, plate] = [("0.3,-49.6", "18"), ("29.0,-89.3", "14"), ("-35,-57", "14")].map(&mut tint);
+    let [atlantic, florida] = [("4,-43", "18"), ("25.3,-83", "14")].map(&mut tint);
+    println!("red and blue over green: {amazon:.2?}, {mississippi:.2?}, {plate:.2?}; {atlantic:.2?}, {florida:.2?}");
+    // Silt sends back more red than blue (`SILTY_REFLECTANCE`), clear water next to none.
+    for [red, blue] in [amazon, mississippi, plate] {
+        assert!(red > 0.5 && blue < 0.9, "{red} {blue}");
+    }
+    for [red, blue] in [atlantic, florida] {
+        assert!(red < 0.5 && blue > 1.1, "{red} {blue}");
+    }
+}
+
 /// Green over blue of what the bed of the Great Bahama Bank, 10 m down, adds to the open sea's light.
 #[test]
 fn banks_shine_through_ten_metres_of_water() {
