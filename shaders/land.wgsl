@@ -84,6 +84,9 @@ fn vertex(in: Tile) -> Vertex {
         made = made_relief(c, point, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
+    } else {
+        // The bed before towers' walls is of one kind with that of the tiles where these stand.
+        c.drowned = drowned_at(point, sin_lat, bilinear(false, point, pages_at(point, RUGGED_ISLAND_LEVEL).terrain).x);
     }
     var height = ground.elevation + made.height;
     let skirt = select(0.0, 1.0, any(in.grid < vec2f(0.0)) || any(in.grid > vec2f(GRID)));
@@ -242,6 +245,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         light = clouded_daylight(clear, up, shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow, OWN_SHADOWS));
     }
     var made = NO_RELIEF;
+    made.towers = towers_share(in.kind.w, at.sin_lat);
     if RUGGED {
         let country = Country(in.country.x, in.country.y, in.country.z, in.country.w, in.ways.xy, in.ways.zw, in.kind.w);
         made = made_relief(country, at.point, at.dn, at.sin_lat, ground, select(2.0, 1.0, FINE) * footprint);

@@ -8,6 +8,7 @@
 #import plants
 #import shore_kind
 #import shore_pixels
+#import walls
 #import water
 
 const BEACH: Metres = 50.0;     // how wide beaches are as a rule
@@ -25,6 +26,9 @@ const KIND_SEEN = vec2f(100.0, 400.0);  // widths of pixels, m, between which sh
 const BANK = vec3f(0.15, 0.145, 0.135);
 const MUD = vec3f(0.085, 0.073, 0.052);
 const BANK_WIDTH = 0.1;          // of a beach's
+const WAVE_CUT = vec3f(0.115, 0.108, 0.092); // rock at the foot of walls, wet and overgrown
+const WOODED = 0.7;              // of what towers' tops and ledges reflect: forests grow there
+const WALLED_WIDTH = 0.06;       // and below walls
 const BANK_BED = vec3f(0.10, 0.092, 0.068);
 
 const WIND_RIPPLES: Metres = 0.11;      // from crest to crest
@@ -42,6 +46,7 @@ const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin
 const THROUGH_LEAVES = 0.35;      // light that comes through what grows, of that on level ground
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLDS_ON = 0.35;           // by how much steeper slopes have to be where forests of the wet tropics grow, before rock stands out
+const HOLDS_ON_VALLEYS = 1.0;    // and in valleys that are as steep all over
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -124,9 +129,9 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         rocky = smoothstep(0.0, 0.2, rocky) * smoothstep(covers + COVES.z, covers, map_noise(point.at, 15u, 83u));
     }
     let bank = at.kind.bank * kind_seen;
-    let usual_width = BEACH * mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank);
+    let usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, made.towers);
     let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)));
-    let plain_sand = mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(made.towers, 0.0, is_bed)), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
@@ -172,9 +177,15 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             rises = select(STANDING, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
             shaded = normalize(normal - hills.x * east - hills.y * north);
             // Rock stands out where it is steep, more of it on this slope than on that.
-            let holds = green * smoothstep(WARM.y, WARM.x, abs(sin_lat));
-            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - HOLDS_ON * holds + mix(0.1, 0.3, holds) * detail.tone);
-            albedo = mix(albedo, ROCK, 0.7 * steep);
+            let holds = green * max(smoothstep(WARM.y, WARM.x, abs(sin_lat)), made.carved);
+            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - mix(HOLDS_ON, HOLDS_ON_VALLEYS, made.carved) * holds + mix(0.1, 0.3, holds) * detail.tone);
+            albedo = mix(albedo, ROCK, 0.7 * (1.0 - made.towers) * steep);
+            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, made.towers <= 0.0);
+            let bare_wall = made.towers * wall.bare;
+            albedo = mix(albedo * mix(1.0, WOODED, green * made.towers), wall.albedo, bare_wall);
+            rises *= 1.0 - bare_wall;
+            standing.cover *= 1.0 - bare_wall;
+            standing.shade *= 1.0 - bare_wall;
             grown = max(grown, 0.85 * standing.cover);
         }
     } else if !is_apart {
@@ -182,7 +193,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - made.towers) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);

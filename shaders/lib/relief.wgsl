@@ -62,10 +62,10 @@ fn broad_noise(at: vec3u, octave: u32) -> BroadNoise {
     return BroadNoise(RELIEF_NOISE_GAIN * sum, RELIEF_NOISE_GAIN * rise);
 }
 
-// A wave across a slope: cosine and sine of its phase, and how the phase rises in an edge, radians.
+// A wave across a slope: cosine and sine of its phase, and how the phase rises in an edge, radians. `jitter`: as of src/model/relief.rs.
 struct Gully { wave: vec2f, phase_rise: vec3f }
 
-fn gully(at: vec3u, octave: u32, side: vec3f) -> Gully {
+fn gully(at: vec3u, octave: u32, side: vec3f, jitter: f32) -> Gully {
     let s = simplex_at(at, octave);
     var sum = vec2f(0.0);
     var weights = 0.0;
@@ -74,7 +74,7 @@ fn gully(at: vec3u, octave: u32, side: vec3f) -> Gully {
     for (var i = 0u; i < 4u; i++) {
         let c = simplex_corner(s, octave, i);
         let t = max(0.5 - dot(c.way, c.way), 0.0);
-        let turns = RELIEF_WAVES * dot(side, c.way) + RELIEF_JITTER * (f32(c.word >> 16u) / 65536.0 - 0.5);
+        let turns = RELIEF_WAVES * dot(side, c.way) + jitter * (f32(c.word >> 16u) / 65536.0 - 0.5);
         let wave = vec2f(turn_sine(turns + 0.25), turn_sine(turns));
         let t3 = t * t * t;
         sum += t3 * t * wave;
@@ -87,15 +87,15 @@ fn gully(at: vec3u, octave: u32, side: vec3f) -> Gully {
 }
 
 // The relief at a place where the data rise by `slope` and hold a relief of their own of `strength`, as one sees it who sees no smaller than
-// `footprint`. Loops end at their foot: where nothing is made each costs one octave.
-fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, footprint: Metres) -> Relief {
+// `footprint`. `carved`: how far the place is one of a volcano's. Loops end at their foot: where nothing is made each costs one octave.
+fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, carved: f32, footprint: Metres) -> Relief {
     var found = Relief(0.0, vec3f(0.0));
-    var downhill = slope;
+    var carves = vec3f(0.0);
     let none = strength <= 0.0;
     var octave = 0u;
     loop {
         let n = broad_noise(at, octave);
-        let weight = select(strength * relief_shown(octave, footprint) * select(RELIEF_SECOND, RELIEF_FIRST, octave == 0u), 0.0, none);
+        let weight = select(strength * (1.0 - CARVED_BROAD * carved) * relief_shown(octave, footprint) * select(RELIEF_SECOND, RELIEF_FIRST, octave == 0u), 0.0, none);
         // Ridges where the noise crosses zero, rounded; wide floors of valleys where it is far from it.
         let fold = sqrt(n.height * n.height + RELIEF_FOLD * RELIEF_FOLD);
         found.height += weight * (RELIEF_FOLD_MEAN - fold / (1.0 + fold));
@@ -104,7 +104,25 @@ fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, footprint: Metre
         octave++;
         if octave >= RELIEF_BROAD || none || relief_shown(octave, footprint) <= 0.0 { break; }
     }
-    downhill += found.slope;
+    // Valleys down the data's own slope, between sharp ridges; smaller ones run into them.
+    var downhill = slope;
+    octave = CARVED_FIRST;
+    loop {
+        let edge = relief_edge(octave);
+        let steep = length(downhill);
+        let g = gully(at, octave, cross(up, downhill) / sqrt(steep * steep + RELIEF_LEVEL * RELIEF_LEVEL), CARVED_JITTER);
+        let bow = sqrt(max(0.5 - 0.5 * g.wave.x, 0.0) + CARVED_CREST * CARVED_CREST);
+        let deep = carved * relief_shown(octave, footprint) * select(CARVED_FINER, CARVED_DEEP, octave == CARVED_FIRST) * edge * steep / sqrt(1.0 + steep * steep / (CARVED_STEEPEST * CARVED_STEEPEST));
+        found.height += deep * (CARVED_MEAN - bow);
+        let all = -deep / edge * 0.25 * g.wave.y / bow * g.phase_rise;
+        let rise = all - dot(all, up) * up;
+        carves += rise;
+        downhill += CARVED_FOLLOWS * rise;
+        octave++;
+        if octave >= CARVED_LAST || carved <= 0.0 || relief_shown(octave, footprint) <= 0.0 { break; }
+    }
+    found.slope += carves;
+    downhill = slope + found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
     let gullied = smoothstep(RELIEF_GENTLE, RELIEF_SLOPING, length(downhill)) * smoothstep(0.25 * RELIEF_GULLIED, RELIEF_GULLIED, strength);
     octave = RELIEF_BROAD;
@@ -112,8 +130,8 @@ fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, footprint: Metre
         let edge = relief_edge(octave);
         let shown = gullied * relief_shown(octave, footprint);
         let steep = length(downhill);
-        let g = gully(at, octave, cross(up, downhill) / sqrt(steep * steep + RELIEF_LEVEL * RELIEF_LEVEL));
-        let deep = shown * RELIEF_DEEP * edge * steep / sqrt(1.0 + steep * steep / (RELIEF_STEEPEST * RELIEF_STEEPEST));
+        let g = gully(at, octave, cross(up, downhill) / sqrt(steep * steep + RELIEF_LEVEL * RELIEF_LEVEL), RELIEF_JITTER);
+        let deep = select(1.0, 1.0 - carved, octave < CARVED_LAST) * shown * RELIEF_DEEP * edge * steep / sqrt(1.0 + steep * steep / (RELIEF_STEEPEST * RELIEF_STEEPEST));
         found.height += deep * g.wave.x;
         let all = -deep / edge * g.wave.y * g.phase_rise;
         let rise = all - dot(all, up) * up;

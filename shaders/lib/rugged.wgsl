@@ -1,6 +1,7 @@
 // How much relief the ground has that its elevation data do not hold, as src/model/rugged.rs: see there why; and that relief.
 #import ground_slope
 #import relief
+#import towers
 
 const CELL_PIXELS: f32 = 8.0;    // along a cell of the ground's mesh where it has relief, at most; as src/scene/view/map_tiles.rs
 
@@ -76,13 +77,24 @@ fn country_at(point: MapPoint, sin_lat: f32) -> Country {
     let flattening = 1.0 + x * x / (RUGGED_ROCKY_WIDE * RUGGED_ROCKY_WIDE);
     let root = sqrt(flattening);
     let share = rocky / max(rocky + deep, 1e-3);
-    let hills = weighed_land(neighbours(false, point, pages_at(point, DROWNED_LEVEL).terrain));
-    let broken = weighed(neighbours(true, point, pages_at(point, DROWNED_SHORE_LEVEL).water));
     return Country(RUGGED_GAIN * slope * smoothstep(least, 2.5 * least, slope), data.mean, max(deep, rocky),
         mix(x, x / root, share), east_north_of(point, data.rise * vec2f(1.0, -1.0)) / texel,
         mix(1.0, 1.0 / (flattening * root), share) * east_north_of(point, shore.rise * vec2f(-1.0, 1.0)),
-        drowned_rise(broken, hills.deviation, coarse, sin_lat));
+        drowned_at(point, sin_lat, coarse));
 }
+
+// How steep drowned hills are at a place about which the mean of land and sea is so high.
+fn drowned_at(point: MapPoint, sin_lat: f32, mean: Metres) -> f32 {
+    let hills = weighed_land(neighbours(false, point, pages_at(point, DROWNED_LEVEL).terrain));
+    let broken = weighed(neighbours(true, point, pages_at(point, DROWNED_SHORE_LEVEL).water));
+    return drowned_rise(broken, hills.deviation, mean, sin_lat);
+}
+
+// How far the tropics' towers are all that stands on drowned hills.
+fn tropical_share(sin_lat: f32) -> f32 { return 1.0 - smoothstep(TOWERS_LATITUDES.x, TOWERS_LATITUDES.y, abs(sin_lat)); }
+
+// How far a place is one of towers of limestone, its bed too.
+fn towers_share(drowned: f32, sin_lat: f32) -> f32 { return tropical_share(sin_lat) * smoothstep(0.0, 0.5, drowned); }
 
 // How steep hills are that the sea has drowned, by the distances to the shore, texels, by how much the land about deviates, and by the mean of land and sea.
 fn drowned_rise(shore: Weighed, hills: Metres, mean: Metres, sin_lat: f32) -> f32 {
@@ -93,17 +105,25 @@ fn drowned_rise(shore: Weighed, hills: Metres, mean: Metres, sin_lat: f32) -> f3
         * smoothstep(DROWNED_SEA.x, DROWNED_SEA.y, mean);
 }
 
-// How far the ground of such hills is raised so far from the shore itself, and how that rises by metres inland.
-fn drowned_lift(rise: f32, inland: Metres, elevation: Metres) -> vec2f {
+// How far the ground of such hills is raised so far from the shore itself, and how that rises by metres inland and by what there is of towers, of `share`.
+fn drowned_lift(rise: f32, inland: Metres, elevation: Metres, towers: f32, share: f32) -> vec3f {
     let x = max(inland, 0.0);
     let flattening = 1.0 + x * x / (DROWNED_WIDE * DROWNED_WIDE);
     let root = sqrt(flattening);
     let foot = min(x / DROWNED_FOOT, 1.0);
     let begun = foot * foot * (3.0 - 2.0 * foot);
     let begins = 6.0 * foot * (1.0 - foot) / DROWNED_FOOT;
-    let lack = max(rise * begun * x / root - max(elevation, 0.0), 0.0);
+    let walls = 1.0 + x * x / (TOWERS_WALL * TOWERS_WALL);
+    let wall_root = sqrt(walls);
+    let beach = min(x / TOWERS_FOOT, 1.0);
+    let stands = beach * beach * (3.0 - 2.0 * beach) * x / (wall_root * TOWERS_WALL);
+    let stands_rise = (beach * beach * (3.0 - 2.0 * beach) / (walls * wall_root) + 6.0 * beach * (1.0 - beach) / TOWERS_FOOT * x / wall_root) / TOWERS_WALL;
+    let high = share * TOWERS_HIGH / DROWNED_RISE.y;
+    let tall = mix(TOWERS_FLOOR, 1.0, towers);
+    let lack = max(rise * ((1.0 - share) * begun * x / root + high * stands * tall) - max(elevation, 0.0), 0.0);
     let raised = lack / (lack + DROWNED_SOFT);
-    return vec2f(raised * lack, raised * (2.0 - raised) * rise * (begun / (flattening * root) + begins * x / root));
+    return vec3f(raised * lack, raised * (2.0 - raised) * rise * vec2f((1.0 - share) * (begun / (flattening * root) + begins * x / root) + high * stands_rise * tall,
+        high * stands * (1.0 - TOWERS_FLOOR)));
 }
 
 // Strength of the relief of ground at an elevation, `lift` of it raised.
@@ -142,10 +162,10 @@ fn relief_place(dn: vec3f) -> vec3u {
 }
 
 // Height over the data's, and slope east and north, metres a metre. `hollow`: from -1 in valleys to 1 on summits. `whole`: 1 where the relief is
-// that of hills or more, 0 on plains.
-struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32 }
+// that of hills or more, 0 on plains. `towers`: how far it is of towers of limestone; `carved`: of a volcano's valleys.
+struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32, towers: f32, carved: f32 }
 
-const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0);
+const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0);
 
 // The relief of the ground at a place as one sees it who sees no smaller than `footprint`.
 fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
@@ -155,21 +175,26 @@ fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, groun
     let lift = seen * share * island_lift(country.island, country.inland, ground.elevation);
     let island = ground.elevation + lift.x;
     let stands = (1.0 - smoothstep(DROWNED_SEEN.x, DROWNED_SEEN.y, footprint)) * smoothstep(0.0, DROWNED_LAKE_FADE, -ground.lake_shore) * far_from_seam(sin_lat);
-    let drowned = stands * drowned_lift(country.drowned, -ground.ocean_shore, island);
+    let tropical = tropical_share(sin_lat);
+    let towers = towers_at(point.at, footprint, tropical * country.drowned <= 0.0);
+    let drowned = stands * drowned_lift(country.drowned, -ground.ocean_shore, island, towers.height, tropical);
     let elevation = island + drowned.x;
     let strong = share * strength_of(country, island, lift.x) + DROWNED_ROUGH * drowned.x * smoothstep(0.0, RUGGED_LOW, elevation);
+    let rains = mix(1.0, CARVED_DRY, smoothstep(TOWERS.x, TOWERS.y, abs(sin_lat)));
+    let carved = rains * share * country.island * (1.0 - high_latitude(sin_lat)) * smoothstep(0.25 * RELIEF_GULLIED, RELIEF_GULLIED, strong);
     let up = earth_from_local(dn + vec3f(0.0, 0.0, 1.0));
     let east = normalize(vec3f(-up.y, up.x, 0.0) + vec3f(0.0, 1e-9, 0.0));
     let north = cross(up, east);
     let lifted = lift.y * country.out;
     let way = country.way + lifted;
-    let found = relief(relief_place(dn), up, way.x * east + way.y * north, strong, footprint);
+    let found = relief(relief_place(dn), up, way.x * east + way.y * north, strong, carved, footprint);
     let room = max(select(RUGGED_HIGHEST - elevation, elevation, found.height < 0.0), 0.01);
     let part = 1.0 / (1.0 + abs(found.height) / room);
     // What relief there is on drowned hills rises with them, and valleys have the less room the lower these are.
     let rises = 1.0 + part * part * DROWNED_ROUGH * found.height / max(strong, 1.0) - select(0.0, (1.0 - part) * (1.0 - part), found.height < 0.0);
-    let up_drowned = rises * drowned.y * east_north_of(point, ground.shore_rise * vec2f(-1.0, 1.0));
+    let by_towers = drowned.z * towers.rise * vec2f(1.0, -1.0) / texel_metres(point, f32(24u - TOWERS_BITS), sin_lat);
+    let up_drowned = rises * (drowned.y * east_north_of(point, ground.shore_rise * vec2f(-1.0, 1.0)) + by_towers);
     let slope = part * part * vec2f(dot(found.slope, east), dot(found.slope, north)) + lifted + up_drowned;
     return Made(lift.x + drowned.x + found.height * part, slope, clamp(found.height / (strong + 1.0), -1.0, 1.0),
-        smoothstep(0.0, RELIEF_GULLIED, strong));
+        smoothstep(0.0, RELIEF_GULLIED, strong), towers_share(country.drowned, sin_lat), carved);
 }

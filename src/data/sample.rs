@@ -15,6 +15,7 @@ use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
 use crate::model::shore_waves::Shallows;
+use crate::model::towers;
 
 /// What is at one place.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -273,14 +274,16 @@ impl Map<'_, '_> {
         let broken_m = texel_size_m(self.projection, broken_z, lat);
         let broken = Around::any(metres.map(|row| row.map(|[ocean_m, _]| -ocean_m / broken_m)), t);
         let steep = rugged::drowned_rise(broken, hills.deviation_m, wide_mean_m, sin_lat);
-        let drowned_m = rugged::drowned_lift_m(steep, shores, sin_lat, elevation_m + island_m);
+        let stand = towers::height([point.u, point.v]);
+        let drowned_m = rugged::drowned_lift_m(steep, shores, sin_lat, elevation_m + island_m, stand);
         let lift_m = island_m + drowned_m;
         let strength_m = fade * rugged::strength_m(data, data_m, sin_lat, [elevation_m + island_m, island_m])
             + rugged::drowned_strength_m(drowned_m, elevation_m + lift_m);
         let (up, axes) = (earth::normal(lat, lon), earth::ecef_from_enu(lat, lon));
         let way = |rise_m: [f64; 2], texel_m: f64| self.projection.east_north(rise_m, lon) / texel_m;
         let slope = way(data.rise_m, data_m) + fade * rise * inland_rise * way(inland.rise_m, shore_m);
-        let found = relief(relief::place(up), up, axes * slope.extend(0.0), strength_m, MESH_FOOTPRINT_M);
+        let carved = rugged::carved(oceanic.max(rocky), sin_lat, fade, strength_m);
+        let found = relief(relief::place(up), up, axes * slope.extend(0.0), [strength_m, carved], MESH_FOOTPRINT_M);
         Ok(lift_m + rugged::bounded(elevation_m + lift_m, found.height_m).0)
     }
 

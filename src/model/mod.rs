@@ -44,6 +44,7 @@ pub mod sun;
 pub mod surf;
 pub mod surface;
 pub mod swash;
+pub mod towers;
 pub mod wave_data;
 pub mod wave_domain;
 pub mod wave_trains;

@@ -59,6 +59,23 @@ pub const STEEPEST: f64 = 0.8;
 /// How far smaller gullies follow the slopes of larger ones: much, and they turn about every spur; little, and all run the same way.
 pub const FOLLOWS: f64 = 0.45;
 
+/// Octaves of the valleys of volcanoes in a deep sea, from the first to the last, exclusive.
+pub const CARVED_OCTAVES: [u32; 2] = [1, 4];
+/// How much of the broad octaves there is not on these.
+pub const CARVED_BROAD: f64 = 0.7;
+/// How round their ridges are, of a wave.
+pub const CARVED_CREST: f64 = 0.06;
+/// Mean of such a wave, 2 / pi.
+pub const CARVED_MEAN: f64 = 0.637;
+/// Depth of the widest valleys, of their edge and the slope, and of those that run into them.
+pub const CARVED_DEEP: [f64; 2] = [1.6, 0.42];
+/// They are no deeper than on this slope.
+pub const CARVED_STEEPEST: f64 = 0.55;
+/// How far corners' phases are apart, turns: valleys are long.
+pub const CARVED_JITTER: f64 = 0.35;
+/// How far smaller valleys follow the slopes of larger ones.
+pub const CARVED_FOLLOWS: f64 = 0.7;
+
 /// What there is of relief at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Relief {
@@ -129,13 +146,13 @@ fn noise(at: [u32; 3], octave: u32) -> (f64, DVec3) {
 }
 
 /// A wave across a slope: cosine and sine of its phase, and how the phase rises in an edge, radians. `side` is the way in which it goes,
-/// across the slope.
-fn gully(at: [u32; 3], octave: u32, side: DVec3) -> (DVec2, DVec3) {
+/// across the slope; `jitter`: how far corners' phases are apart, turns.
+fn gully(at: [u32; 3], octave: u32, side: DVec3, jitter: f64) -> (DVec2, DVec3) {
     let (mut sum, mut weights) = (DVec2::ZERO, 0.0);
     let (mut rise_cosine, mut rise_sine) = (DVec3::ZERO, DVec3::ZERO);
     for (word, way) in corners(at, octave) {
         let t = (0.5 - way.length_squared()).max(0.0);
-        let turns = WAVES * side.dot(way) + JITTER * (f64::from(word >> 16) / 65536.0 - 0.5);
+        let turns = WAVES * side.dot(way) + jitter * (f64::from(word >> 16) / 65536.0 - 0.5);
         let wave = DVec2::new(sine(turns + 0.25), sine(turns));
         let t3 = t * t * t;
         sum += t3 * t * wave;
@@ -149,30 +166,47 @@ fn gully(at: [u32; 3], octave: u32, side: DVec3) -> (DVec2, DVec3) {
 }
 
 /// The relief at a place where the data rise by `slope` (metres a metre, along the earth's axes) and hold a relief of their own of
-/// `strength_m`, as one sees it who sees no smaller than `footprint_m`; `up` is the unit normal.
-pub fn relief(at: [u32; 3], up: DVec3, slope: DVec3, strength_m: f64, footprint_m: f64) -> Relief {
+/// `strength_m`, as one sees it who sees no smaller than `footprint_m`; `up` is the unit normal. `carved`: how far the place is one of a volcano's, 0 to 1,
+/// with deep valleys down the data's own slope, away from the summit, and sharp ridges between them.
+pub fn relief(at: [u32; 3], up: DVec3, slope: DVec3, [strength_m, carved]: [f64; 2], footprint_m: f64) -> Relief {
     let mut found = Relief::default();
     if strength_m <= 0.0 {
         return found;
     }
     let level = |rise: DVec3| rise - rise.dot(up) * up;
     for octave in 0..BROAD {
-        let weight = strength_m * shown(octave, footprint_m) * BROAD_HEIGHTS[octave as usize];
+        let weight =
+            strength_m * (1.0 - CARVED_BROAD * carved) * shown(octave, footprint_m) * BROAD_HEIGHTS[octave as usize];
         let (n, rise) = noise(at, octave);
         // Ridges where the noise crosses zero, rounded; wide floors of valleys where it is far from it.
         let fold = (n * n + FOLD * FOLD).sqrt();
         found.height_m += weight * (FOLD_MEAN - fold / (1.0 + fold));
         found.slope += level(-weight / edge_m(octave) * n / (fold * (1.0 + fold) * (1.0 + fold)) * rise);
     }
-    let mut downhill = slope + found.slope;
+    let (mut downhill, mut carves) = (slope, DVec3::ZERO);
+    for octave in CARVED_OCTAVES[0]..CARVED_OCTAVES[1] {
+        let (edge, steep) = (edge_m(octave), downhill.length());
+        let (wave, phase_rise) = gully(at, octave, up.cross(downhill) / steep.hypot(LEVEL), CARVED_JITTER);
+        let bow = ((0.5 - 0.5 * wave.x).max(0.0) + CARVED_CREST * CARVED_CREST).sqrt();
+        let deepest = CARVED_DEEP[usize::from(octave > CARVED_OCTAVES[0])];
+        let deep = carved * shown(octave, footprint_m) * deepest * edge * steep
+            / (1.0 + (steep / CARVED_STEEPEST).powi(2)).sqrt();
+        found.height_m += deep * (CARVED_MEAN - bow);
+        let rise = level(-deep / edge * 0.25 * wave.y / bow * phase_rise);
+        carves += rise;
+        downhill += CARVED_FOLLOWS * rise;
+    }
+    found.slope += carves;
+    downhill = slope + found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
     let gullied =
         smoothstep(GENTLE[0], GENTLE[1], downhill.length()) * smoothstep(0.25 * GULLIED_M, GULLIED_M, strength_m);
     for octave in BROAD..OCTAVES {
         let (edge, shown) = (edge_m(octave), shown(octave, footprint_m));
         let steep = downhill.length();
-        let (wave, phase_rise) = gully(at, octave, up.cross(downhill) / steep.hypot(LEVEL));
-        let deep = gullied * shown * DEEP * edge * steep / (1.0 + (steep / STEEPEST).powi(2)).sqrt();
+        let (wave, phase_rise) = gully(at, octave, up.cross(downhill) / steep.hypot(LEVEL), JITTER);
+        let there = if octave < CARVED_OCTAVES[1] { 1.0 - carved } else { 1.0 };
+        let deep = there * gullied * shown * DEEP * edge * steep / (1.0 + (steep / STEEPEST).powi(2)).sqrt();
         found.height_m += deep * wave.x;
         let rise = level(-deep / edge * wave.y * phase_rise);
         found.slope += rise;

@@ -3,7 +3,9 @@
 //!
 //! Plains, shores, lakes, land below the sea and ice sheets have none, but for islands that the data have lost, drowned hills among them: these are raised. `shaders/lib/rugged.wgsl` is the same in single precision.
 
+use super::relief::GULLIED_M;
 use super::sea_bed::smoothstep;
+use super::towers;
 
 /// Level of the terrain tiles that is looked at wherever the eye is, so that nothing moves with it: the deepest that is there all over the
 /// bundled world. Texels are 9.8 km wide at the equator, as the data's own.
@@ -90,6 +92,9 @@ pub const DROWNED_LAKE_FADE_M: f64 = 60.0;
 pub const DROWNED_ROUGH: f64 = 0.8;
 /// How softly they leave the data's ground, metres.
 pub const DROWNED_SOFT_M: f64 = 15.0;
+
+/// How far streams carve islands in a deep sea beyond [`TOWERS`], where it rains less.
+pub const CARVED_DRY: f64 = 0.4;
 
 /// Values of three by three texels as a quadratic B-spline weighs them at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -216,19 +221,30 @@ pub fn drowned_rise(inland: Around, deviation_m: f64, mean_m: f64, sin_lat: f64)
 }
 
 /// How far ground at `elevation_m` is raised that is one of drowned hills which rise so steeply, metres, so far from the shores themselves: lakes and rivers lie level
-/// between them.
-pub fn drowned_lift_m(rise: f64, shores: Shores, sin_lat: f64, elevation_m: f64) -> f64 {
+/// between them. `towers`: how high these stand there ([`towers::height`]).
+pub fn drowned_lift_m(rise: f64, shores: Shores, sin_lat: f64, elevation_m: f64, towers: f64) -> f64 {
     let x = (-shores.ocean_m).max(0.0);
     let dry = smoothstep(0.0, DROWNED_LAKE_FADE_M, -shores.lake_m)
         * smoothstep(0.0, SEAM_FADE, (sin_lat.abs() - SEAM_SIN_LAT).abs());
     let begun = smoothstep(0.0, DROWNED_FOOT_M, x);
-    let lack = (rise * begun * x / (1.0 + (x / DROWNED_WIDE_M).powi(2)).sqrt() - elevation_m.max(0.0)).max(0.0);
+    let share = towers::share(sin_lat);
+    let round = rise * begun * x / (1.0 + (x / DROWNED_WIDE_M).powi(2)).sqrt();
+    let ground_m = (1.0 - share) * round + share * rise / DROWNED_RISE[1] * towers::ground_m(x, towers);
+    let lack = (ground_m - elevation_m.max(0.0)).max(0.0);
     dry * lack * lack / (lack + DROWNED_SOFT_M)
 }
 
 /// Strength of their own relief, metres, of ground that is now at `elevation_m`.
 pub fn drowned_strength_m(lift_m: f64, elevation_m: f64) -> f64 {
     DROWNED_ROUGH * lift_m * smoothstep(0.0, LOW_M, elevation_m)
+}
+
+/// How far ground is one of a volcano's out of deep sea, which streams have carved, 0 to 1, where it is so far (`island`) one of an island's and has relief of such a
+/// strength. On those that ice has shaped there is none.
+pub fn carved(island: f64, sin_lat: f64, fade: f64, strength_m: f64) -> f64 {
+    let high = smoothstep(HIGH_LATITUDES[0], HIGH_LATITUDES[1], sin_lat.abs());
+    let rains = 1.0 + (CARVED_DRY - 1.0) * smoothstep(TOWERS[0], TOWERS[1], sin_lat.abs());
+    rains * fade * island * (1.0 - high) * smoothstep(0.25 * GULLIED_M, GULLIED_M, strength_m)
 }
 
 /// What relief of `height_m` comes to on ground at `elevation_m` over the sea, metres, and the share of its slope: valleys do not reach down

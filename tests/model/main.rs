@@ -33,5 +33,6 @@ mod summed;
 mod sun;
 mod surf;
 mod swash;
+mod towers;
 mod wave_trains;
 mod waves;

@@ -2,7 +2,7 @@
 
 use super::uniform::{MIRRORS_LAND, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::model::earth::WGS84;
-use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea, spray};
+use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea, spray, towers};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
 
@@ -93,6 +93,9 @@ fn relief_numbers() -> String {
         ("RUGGED_SHELF_LEVEL", rugged::SHELF_LEVEL.into()),
         ("DROWNED_LEVEL", rugged::DROWNED_LEVEL.into()),
         ("DROWNED_SHORE_LEVEL", rugged::DROWNED_SHORE_LEVEL.into()),
+        ("CARVED_FIRST", relief::CARVED_OCTAVES[0]),
+        ("CARVED_LAST", relief::CARVED_OCTAVES[1]),
+        ("TOWERS_BITS", towers::CELL_BITS),
     ];
     let numbers = [
         ("RELIEF_UNITS", relief::UNITS_PER_M * relief::RADIUS_M),
@@ -111,6 +114,20 @@ fn relief_numbers() -> String {
         ("RELIEF_DEEP", relief::DEEP),
         ("RELIEF_STEEPEST", relief::STEEPEST),
         ("RELIEF_FOLLOWS", relief::FOLLOWS),
+        ("CARVED_BROAD", relief::CARVED_BROAD),
+        ("CARVED_CREST", relief::CARVED_CREST),
+        ("CARVED_MEAN", relief::CARVED_MEAN),
+        ("CARVED_DEEP", relief::CARVED_DEEP[0]),
+        ("CARVED_FINER", relief::CARVED_DEEP[1]),
+        ("CARVED_STEEPEST", relief::CARVED_STEEPEST),
+        ("CARVED_DRY", rugged::CARVED_DRY),
+        ("CARVED_JITTER", relief::CARVED_JITTER),
+        ("CARVED_FOLLOWS", relief::CARVED_FOLLOWS),
+        ("TOWERS_ASIDE", towers::ASIDE),
+        ("TOWERS_FLOOR", towers::FLOOR),
+        ("TOWERS_HIGH", towers::HIGH_M),
+        ("TOWERS_WALL", towers::WALL_M),
+        ("TOWERS_FOOT", towers::FOOT_M),
         ("RUGGED_GAIN", rugged::GAIN_M),
         ("RUGGED_LIFT_GAIN", rugged::LIFT_GAIN),
         ("RUGGED_SHELF", rugged::SHELF),
@@ -145,6 +162,12 @@ fn relief_numbers() -> String {
         ("DROWNED_SEA", rugged::DROWNED_SEA_M),
         ("DROWNED_RISE", rugged::DROWNED_RISE),
         ("TOWERS", rugged::TOWERS),
+        ("TOWERS_WIDE", towers::WIDE),
+        ("TOWERS_LONG", towers::LONG),
+        ("TOWERS_TALL", towers::TALL),
+        ("TOWERS_ROUGH", towers::ROUGH),
+        ("TOWERS_ROUGH_SEEN", towers::ROUGH_SEEN_M),
+        ("TOWERS_LATITUDES", towers::LATITUDES),
     ];
     let whole = whole.map(|(name, number)| format!("const {name} = {number}u;\n"));
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));

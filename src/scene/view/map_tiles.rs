@@ -11,6 +11,7 @@ use crate::model::earth::{self, Geodetic, WGS84};
 use crate::model::relief::WIDEST_M;
 use crate::model::rugged;
 use crate::model::sea_bed::{BERM_M, Coast, Grid, LEAST_M, USUAL_SLOPE, grid_level, trusted_m};
+use crate::model::towers;
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// Deepest level of the ground's mesh, whatever the archives hold: cells of 76 m at the equator.
@@ -169,9 +170,23 @@ fn reaches_high_latitudes(id: TileId) -> bool {
     id.projection != Projection::Mercator || sin_lat(0).max(sin_lat(1)) > rugged::HIGH_LATITUDES[0]
 }
 
+/// Whether a tile reaches the latitudes of towers.
+fn reaches_towers(id: TileId) -> bool {
+    let side = 2f64.powi(-i32::from(id.z));
+    let lat = |y: u32| lat_lon_from_map(id.projection, 0.5, f64::from(id.y + y) * side).0;
+    let [south, north] = [lat(1), lat(0)];
+    // The tile's latitude that is nearest to the equator.
+    id.projection == Projection::Mercator && towers::share(south.max(0.0).max(-north).sin()) > 0.0
+}
+
 /// How far the elevations near a tile reach apart where it has dry land, metres: `None` where it has none, or where they are so alike that
 /// there is no relief but what the data hold (`model::rugged`). Beside deep water, low on the shelves of high latitudes, and by shores before hills there may be any.
 fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
+    rugged(id, tiles).map(|(range_m, _)| range_m)
+}
+
+/// As [`rugged_m`], and whether there may be walls: of towers (`model::towers`).
+fn rugged(id: TileId, tiles: &Streaming) -> Option<(f64, bool)> {
     let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
     let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
@@ -182,7 +197,8 @@ fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
     let about = tiles.elevations_m(id, rugged::DROWNED_LEVEL);
     let is_drowned = shore_m.greatest > -DROWNED_TO_M && about.is_some_and(|about| range_of(about) > HILLS_M);
     let (range_m, is_raised) = (range_of(metres), is_island || is_drowned);
-    (is_raised || range_m > FLAT_M).then_some(if is_raised { range_m.max(RUGGED_M) } else { range_m })
+    let has_walls = is_drowned && reaches_towers(id);
+    (is_raised || range_m > FLAT_M).then_some((if is_raised { range_m.max(RUGGED_M) } else { range_m }, has_walls))
 }
 
 /// Whether a tile has a strip of land by the ocean that waves may run up.
@@ -259,13 +275,14 @@ pub fn drawn_tiles(
         let usual = deepest_mesh(id.projection, tiles);
         // Where no cell is narrow enough for any of the relief the data alone shape the mesh.
         let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
-        let Some(range_m) = rugged_m(id, tiles).filter(|range_m| is_held && *range_m >= RUGGED_M) else {
+        let Some((range_m, has_walls)) = rugged(id, tiles).filter(|(range_m, _)| is_held && *range_m >= RUGGED_M)
+        else {
             return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, most: MOST_TILES, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
         let finer = if range_m > STEEP_M {
             2.0
-        } else if id.z < usual {
+        } else if id.z < usual || has_walls {
             1.0
         } else {
             0.5
