@@ -84,7 +84,7 @@ fn vertex(in: Tile) -> Vertex {
         made = made_relief(c, point, dn, sin_lat, ground, max(held, RELIEF_MESH_FOOTPRINT));
         // Triangles across a shore would carry the relief's heights out over the sea.
         made.height *= smoothstep(0.0, SHORE_CELLS * held, -ground.ocean_shore);
-    } else {
+    } else if tropical_share(sin_lat) > 0.0 {
         // The bed before towers' walls is of one kind with that of the tiles where these stand.
         c.drowned = drowned_at(point, sin_lat, bilinear(false, point, pages_at(point, RUGGED_ISLAND_LEVEL).terrain).x);
     }

@@ -129,9 +129,10 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         rocky = smoothstep(0.0, 0.2, rocky) * smoothstep(covers + COVES.z, covers, map_noise(point.at, 15u, 83u));
     }
     let bank = at.kind.bank * kind_seen;
-    let usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, made.towers);
+    let towers = made.towers * kind_seen;
+    let usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, towers);
     let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)));
-    let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(made.towers, 0.0, is_bed)), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(towers, 0.0, is_bed)), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
@@ -179,10 +180,10 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             // Rock stands out where it is steep, more of it on this slope than on that.
             let holds = green * max(smoothstep(WARM.y, WARM.x, abs(sin_lat)), made.carved);
             let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - mix(HOLDS_ON, HOLDS_ON_VALLEYS, made.carved) * holds + mix(0.1, 0.3, holds) * detail.tone);
-            albedo = mix(albedo, ROCK, 0.7 * (1.0 - made.towers) * steep);
-            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, made.towers <= 0.0);
-            let bare_wall = made.towers * wall.bare;
-            albedo = mix(albedo * mix(1.0, WOODED, green * made.towers), wall.albedo, bare_wall);
+            albedo = mix(albedo, ROCK, 0.7 * (1.0 - towers) * steep);
+            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, towers <= 0.0);
+            let bare_wall = towers * wall.bare;
+            albedo = mix(albedo * mix(1.0, WOODED, green * towers), wall.albedo, bare_wall);
             rises *= 1.0 - bare_wall;
             standing.cover *= 1.0 - bare_wall;
             standing.shade *= 1.0 - bare_wall;
@@ -193,7 +194,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - made.towers) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - towers) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);

@@ -90,7 +90,6 @@ fn gully(at: vec3u, octave: u32, side: vec3f, jitter: f32) -> Gully {
 // `footprint`. `carved`: how far the place is one of a volcano's. Loops end at their foot: where nothing is made each costs one octave.
 fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, carved: f32, footprint: Metres) -> Relief {
     var found = Relief(0.0, vec3f(0.0));
-    var carves = vec3f(0.0);
     let none = strength <= 0.0;
     var octave = 0u;
     loop {
@@ -104,25 +103,24 @@ fn relief(at: vec3u, up: vec3f, slope: vec3f, strength: Metres, carved: f32, foo
         octave++;
         if octave >= RELIEF_BROAD || none || relief_shown(octave, footprint) <= 0.0 { break; }
     }
-    // Valleys down the data's own slope, between sharp ridges; smaller ones run into them.
+    // Valleys down the data's own slope, between sharp ridges.
     var downhill = slope;
     octave = CARVED_FIRST;
+    let steepness = length(slope) / sqrt(1.0 + dot(slope, slope) / (CARVED_STEEPEST * CARVED_STEEPEST));
     loop {
         let edge = relief_edge(octave);
-        let steep = length(downhill);
-        let g = gully(at, octave, cross(up, downhill) / sqrt(steep * steep + RELIEF_LEVEL * RELIEF_LEVEL), CARVED_JITTER);
+        let g = gully(at, octave, cross(up, downhill) / sqrt(dot(downhill, downhill) + RELIEF_LEVEL * RELIEF_LEVEL), CARVED_JITTER);
         let bow = sqrt(max(0.5 - 0.5 * g.wave.x, 0.0) + CARVED_CREST * CARVED_CREST);
-        let deep = carved * relief_shown(octave, footprint) * select(CARVED_FINER, CARVED_DEEP, octave == CARVED_FIRST) * edge * steep / sqrt(1.0 + steep * steep / (CARVED_STEEPEST * CARVED_STEEPEST));
+        let room = select(CARVED_FINER, CARVED_DEEP, octave == CARVED_FIRST) * edge * steepness;
+        let deep = carved * relief_shown(octave, footprint) * room / (1.0 + room / max(CARVED_MOST * strength, 1e-3));
         found.height += deep * (CARVED_MEAN - bow);
         let all = -deep / edge * 0.25 * g.wave.y / bow * g.phase_rise;
         let rise = all - dot(all, up) * up;
-        carves += rise;
-        downhill += CARVED_FOLLOWS * rise;
+        found.slope += rise;
         octave++;
         if octave >= CARVED_LAST || carved <= 0.0 || relief_shown(octave, footprint) <= 0.0 { break; }
     }
-    found.slope += carves;
-    downhill = slope + found.slope;
+    downhill += found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
     let gullied = smoothstep(RELIEF_GENTLE, RELIEF_SLOPING, length(downhill)) * smoothstep(0.25 * RELIEF_GULLIED, RELIEF_GULLIED, strength);
     octave = RELIEF_BROAD;

@@ -2,10 +2,10 @@
 #import map
 #import noise
 
-// How high they stand at a place, 0 to 1, and how that rises right and down on the map, a cell.
+// How high they stand at a place, 0 to 1 and a little more where two meet, and how that rises right and down on the map, a cell.
 struct Towers { height: f32, rise: vec2f }
 
-// The loop ends at its foot: where none are it is gone through once.
+// The loop ends at its foot: where none are it is gone through once. The noise before it is not worth a branch.
 fn towers_at(at: vec2u, footprint: Metres, none: bool) -> Towers {
     let cell = at >> vec2u(TOWERS_BITS);
     let f = vec2f(at & vec2u((1u << TOWERS_BITS) - 1u)) / f32(1u << TOWERS_BITS);
@@ -21,10 +21,11 @@ fn towers_at(at: vec2u, footprint: Metres, none: bool) -> Towers {
         let step = vec2u(k % 3u, k / 3u) - 1u;
         let word = hash(vec3u((cell + step) & vec2u(mask), 93u));
         let bytes = vec4f((vec4u(word) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u)) / 255.0;
+        let rest = vec4f((vec4u(word) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(15u)) / 16.0;
         let off = f - vec2f(bitcast<vec2i>(step)) - 0.5 - TOWERS_ASIDE * (bytes.xy - 0.5);
         let radius = mix(TOWERS_WIDE.x, TOWERS_WIDE.y, bytes.z);
-        let long = mix(TOWERS_LONG.x, TOWERS_LONG.y, fract(16.0 * bytes.z));
-        let turned = vec2f(fract(16.0 * bytes.x), fract(16.0 * bytes.y)) - vec2f(0.5, 0.499);
+        let long = mix(TOWERS_LONG.x, TOWERS_LONG.y, rest.z);
+        let turned = rest.xy - vec2f(0.5, 0.499);
         let way = normalize(turned);
         let along = dot(off, way);
         let across = dot(off, vec2f(-way.y, way.x));
@@ -40,5 +41,5 @@ fn towers_at(at: vec2u, footprint: Metres, none: bool) -> Towers {
         if k == 9u || none { break; }
     }
     let height = sqrt(sqrt(sum));
-    return Towers(height, rise / max(height * height * height, 1e-6));
+    return Towers(height, rise / max(height * height * height, 1e-12));
 }

@@ -7,10 +7,14 @@ const STAIN = vec3f(0.075, 0.078, 0.075); // of what grows where water runs
 const WALLS_FROM = 1.6;          // slope from which on no soil holds
 const WALL_LEDGES = 1.6;          // how much steeper it has to be on a ledge, of the noise that makes these
 
-// Noise over a wall that faces `w` more to the east or west than to the north or south, at a height: `flat` times as wide as high.
-fn wall_noise(place: vec2f, w: f32, height: Metres, flat: f32, cell: Metres, salt: u32) -> f32 {
-    return mix(bed_noise(vec2f(place.x / flat, height), cell, salt).z, bed_noise(vec2f(place.y / flat, height), cell, salt + 1u).z, w);
+// Noise over a wall that faces `w` more to the east or west than to the north or south, at a height, in cells so wide along it and so high. Ways along it are not
+// stretched but by whole numbers, as the pattern's square repeats.
+fn wall_noise(place: vec2f, w: f32, height: Metres, stretched: vec2f, cell: Metres, salt: u32) -> f32 {
+    return mix(bed_noise(vec2f(place.x, height) * stretched, cell, salt).z, bed_noise(vec2f(place.y, height) * stretched, cell, salt + 1u).z, w);
 }
+
+const WALL_CELLS = vec3f(16.0, 4.0, 1.0);  // heights of its ledges
+const WALL_PARTS = vec3f(1.0, 0.6, 0.36);
 
 // How bare a slope is at a place, and the albedo of its rock.
 struct Wall { bare: f32, albedo: vec3f }
@@ -18,21 +22,18 @@ struct Wall { bare: f32, albedo: vec3f }
 fn wall_at(place: vec2f, slope: vec2f, height: Metres, footprint: Metres, none: bool) -> Wall {
     let steep = length(slope);
     let w = slope.x * slope.x / max(steep * steep, 1e-6);
+    let seen = vec3f(shown(footprint, WALL_CELLS.x), shown(footprint, WALL_CELLS.y), shown(footprint, WALL_CELLS.z));
+    let hidden = 0.2 * dot(WALL_PARTS, 1.0 - seen);
     var ledges = 0.0;
-    var hidden = 0.0;
     var stains = 0.0;
-    var share = 1.0;
-    var cell = 16.0;
-    var salt = 101u;
+    var k = 0u;
     loop {
-        let seen = shown(footprint, cell);
-        hidden += 0.2 * share * (1.0 - seen);
-        ledges += share * seen * wall_noise(place, w, height, 2.5, cell, salt);
-        stains += share * seen * wall_noise(place, w, height, 0.2, cell, salt + 2u);
-        share *= 0.6;
-        cell *= 0.25;
-        salt += 4u;
-        if cell < 0.9 || footprint > 0.6 * cell || none { break; }
+        let cell = WALL_CELLS[k];
+        // Ledges are twice as wide as high, stains five times as high as wide.
+        ledges += WALL_PARTS[k] * seen[k] * wall_noise(place, w, height, vec2f(1.0, 2.0), 2.0 * cell, 101u + 4u * k);
+        stains += WALL_PARTS[k] * shown(footprint, 0.2 * cell) * wall_noise(place, w, height, vec2f(5.0, 1.0), cell, 103u + 4u * k);
+        k++;
+        if k == 3u || footprint > 0.6 * cell || none { break; }
     }
     let bare = select(smoothstep(-0.15 - WALL_LEDGES * hidden, 0.15 + WALL_LEDGES * hidden, steep - WALLS_FROM - WALL_LEDGES * ledges), 0.0, none);
     let rock = mix(LIMESTONE, OCHRE, smoothstep(0.05, 0.3, ledges));

@@ -65,16 +65,16 @@ pub const CARVED_OCTAVES: [u32; 2] = [1, 4];
 pub const CARVED_BROAD: f64 = 0.7;
 /// How round their ridges are, of a wave.
 pub const CARVED_CREST: f64 = 0.06;
-/// Mean of such a wave, 2 / pi.
-pub const CARVED_MEAN: f64 = 0.637;
+/// Mean of such a wave, a little less than 2 / pi, as waves break off where phases cancel: measured.
+pub const CARVED_MEAN: f64 = 0.59;
 /// Depth of the widest valleys, of their edge and the slope, and of those that run into them.
-pub const CARVED_DEEP: [f64; 2] = [1.6, 0.42];
+pub const CARVED_DEEP: [f64; 2] = [1.6, 0.8];
+/// No valley is deeper, of the relief's strength: that ends by the shore.
+pub const CARVED_MOST: f64 = 12.0;
 /// They are no deeper than on this slope.
 pub const CARVED_STEEPEST: f64 = 0.55;
 /// How far corners' phases are apart, turns: valleys are long.
 pub const CARVED_JITTER: f64 = 0.35;
-/// How far smaller valleys follow the slopes of larger ones.
-pub const CARVED_FOLLOWS: f64 = 0.7;
 
 /// What there is of relief at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -183,21 +183,19 @@ pub fn relief(at: [u32; 3], up: DVec3, slope: DVec3, [strength_m, carved]: [f64;
         found.height_m += weight * (FOLD_MEAN - fold / (1.0 + fold));
         found.slope += level(-weight / edge_m(octave) * n / (fold * (1.0 + fold) * (1.0 + fold)) * rise);
     }
-    let (mut downhill, mut carves) = (slope, DVec3::ZERO);
+    let mut downhill = slope;
+    let steepness = slope.length() / (1.0 + (slope.length() / CARVED_STEEPEST).powi(2)).sqrt();
     for octave in CARVED_OCTAVES[0]..CARVED_OCTAVES[1] {
-        let (edge, steep) = (edge_m(octave), downhill.length());
-        let (wave, phase_rise) = gully(at, octave, up.cross(downhill) / steep.hypot(LEVEL), CARVED_JITTER);
+        let edge = edge_m(octave);
+        let (wave, phase_rise) = gully(at, octave, up.cross(downhill) / downhill.length().hypot(LEVEL), CARVED_JITTER);
         let bow = ((0.5 - 0.5 * wave.x).max(0.0) + CARVED_CREST * CARVED_CREST).sqrt();
-        let deepest = CARVED_DEEP[usize::from(octave > CARVED_OCTAVES[0])];
-        let deep = carved * shown(octave, footprint_m) * deepest * edge * steep
-            / (1.0 + (steep / CARVED_STEEPEST).powi(2)).sqrt();
+        let room_m = CARVED_DEEP[usize::from(octave > CARVED_OCTAVES[0])] * edge * steepness;
+        let deep = carved * shown(octave, footprint_m) * room_m / (1.0 + room_m / (CARVED_MOST * strength_m));
         found.height_m += deep * (CARVED_MEAN - bow);
         let rise = level(-deep / edge * 0.25 * wave.y / bow * phase_rise);
-        carves += rise;
-        downhill += CARVED_FOLLOWS * rise;
+        found.slope += rise;
     }
-    found.slope += carves;
-    downhill = slope + found.slope;
+    downhill += found.slope;
     // Where it is nearly level no gully shows; none begins abruptly.
     let gullied =
         smoothstep(GENTLE[0], GENTLE[1], downhill.length()) * smoothstep(0.25 * GULLIED_M, GULLIED_M, strength_m);

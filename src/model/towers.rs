@@ -25,7 +25,7 @@ pub const ROUGH: [f64; 2] = [0.7, 0.25];
 pub const ROUGH_SEEN_M: [f64; 2] = [10.0, 20.0];
 /// How high the ground between towers is, of the highest.
 pub const FLOOR: f64 = 0.3;
-/// Height of the highest, metres.
+/// Height of the highest that stands alone, metres.
 pub const HIGH_M: f64 = 280.0;
 /// They are level far beyond this from their shores, metres.
 pub const WALL_M: f64 = 35.0;
@@ -57,7 +57,7 @@ fn noise([u, v]: [u32; 2], bits: u32, salt: u32) -> f64 {
     0.8 * mix(mix(corner(0, 0), corner(1, 0), fade(x)), mix(corner(0, 1), corner(1, 1), fade(x)), fade(y))
 }
 
-/// How high towers stand at a place of Mercator's map, in units of 2^-32 of its side, 0 to 1.
+/// How high towers stand at a place of Mercator's map, in units of 2^-32 of its side: 0 to 1, and a little more where two of the highest meet.
 pub fn height(at: [u32; 2]) -> f64 {
     let mask = u32::MAX >> CELL_BITS;
     let part = |x: u32| f64::from(x & ((1 << CELL_BITS) - 1)) / f64::from(1u32 << CELL_BITS);
@@ -69,11 +69,11 @@ pub fn height(at: [u32; 2]) -> f64 {
         let cell = [0, 1].map(|axis| (at[axis] >> CELL_BITS).wrapping_add(step[axis]).wrapping_sub(1) & mask);
         let word = hash([cell[0], cell[1], 93]);
         let bytes = [0, 8, 16, 24].map(|shift| f64::from((word >> shift) & 255) / 255.0);
-        // What is left of a byte below its four highest bits, about.
-        let rest = |byte: f64| (16.0 * byte).fract();
+        // Of a byte its four lowest bits.
+        let rest = |axis: u32| f64::from((word >> (8 * axis)) & 15) / 16.0;
         let off = [0, 1].map(|axis| part(at[axis]) - f64::from(step[axis]) + 0.5 - ASIDE * (bytes[axis] - 0.5));
-        let (radius, long) = (mix(WIDE, bytes[2]), mix(LONG, rest(bytes[2])));
-        let turned = [rest(bytes[0]) - 0.5, rest(bytes[1]) - 0.499];
+        let (radius, long) = (mix(WIDE, bytes[2]), mix(LONG, rest(2)));
+        let turned = [rest(0) - 0.5, rest(1) - 0.499];
         let way = turned.map(|x| x / turned[0].hypot(turned[1]));
         let along = off[0] * way[0] + off[1] * way[1];
         let across = off[1] * way[0] - off[0] * way[1];

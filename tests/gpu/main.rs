@@ -40,6 +40,7 @@ mod summed;
 mod surf;
 mod surface_sample;
 mod swash;
+mod towers;
 mod translucence;
 mod under_water;
 mod vertex_branches;

@@ -34,5 +34,6 @@ mod sun;
 mod surf;
 mod swash;
 mod towers;
+mod valleys;
 mod wave_trains;
 mod waves;

@@ -49,6 +49,8 @@ const SHELF_BED_M: f64 = -40.0;
 const HILLS_M: f64 = 2.0 * rugged::DROWNED_HILLS_M[0];
 /// No drowned hill is farther inland, metres: [`rugged::DROWNED_INLAND`], with as much again for what the smoothed distance leaves out.
 const DROWNED_TO_M: f64 = 12_000.0;
+/// Walls that are seen against the sea or the sky are no farther inland, metres.
+const WALLS_TO_M: f64 = 2_000.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -197,7 +199,9 @@ fn rugged(id: TileId, tiles: &Streaming) -> Option<(f64, bool)> {
     let about = tiles.elevations_m(id, rugged::DROWNED_LEVEL);
     let is_drowned = shore_m.greatest > -DROWNED_TO_M && about.is_some_and(|about| range_of(about) > HILLS_M);
     let (range_m, is_raised) = (range_of(metres), is_island || is_drowned);
-    let has_walls = is_drowned && reaches_towers(id);
+    let mean =
+        |id| tiles.elevations_m(id, rugged::ISLAND_LEVEL).is_some_and(|mean| mean.greatest > rugged::DROWNED_SEA_M[0]);
+    let has_walls = is_drowned && shore_m.greatest > -WALLS_TO_M && reaches_towers(id) && mean(id);
     (is_raised || range_m > FLAT_M).then_some((if is_raised { range_m.max(RUGGED_M) } else { range_m }, has_walls))
 }
 
