@@ -53,7 +53,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let pixel = vec2u(in.position.xy);
     // Coarse triangles slope up to its shores before it: what they show there is water.
     let scene = textureLoad(scene_colour, pixel, 0);
-    let before = select(1.0, LAND_BEFORE, !MEASURED && scene.a <= 0.0);
+    let before = select(1.0, LAND_BEFORE, !MEASURED && is_inland_water(scene));
     if distance < 0.0 || textureLoad(scene_depth, pixel, 0) * nearest_bed(nearest) > before * NEAR {
         discard;
         return vec4f(0.0);

@@ -8,6 +8,7 @@
 #import spray
 #import surf
 #import beach
+#import scene
 #import output
 
 // `beaches`: a bit for each block that is drawn with its beach.
@@ -233,7 +234,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         if !sea_covers { discard; }
         // A bed that cannot be seen needs no light; should a pixel of the sea miss, it is blue.
         if !MEASURED {
-            return vec4f(0.25 * frame.exposure * OPEN_REFLECTANCE, 1.0);
+            return vec4f(0.25 * frame.exposure * OPEN_REFLECTANCE, BEHIND_SEA);
         }
     }
 
@@ -261,8 +262,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);
     }
-    // Below 0 where most of it is inland water, over which lake.wgsl may lay the lake's mesh.
-    if !MEASURED { return vec4f(radiance * frame.exposure, 1.0 - 2.0 * inland); }
+    if !MEASURED { return vec4f(radiance * frame.exposure, select(select(1.0, INLAND_WATER, inland >= 0.5), BED, sea_covers)); }
     let rest = surface_from_normal_delta(at.dn);
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation + made.height, lit.normal, water_class(ground), 0.0, lit.albedo), radiance);
 }

@@ -526,7 +526,7 @@ impl Renderer {
 }
 
 /// What stands where neither land nor sea covers a pixel that one of them should: the light of a deep sea, as faint as it is seen
-/// through the surface. Black where a layer is left out or measured.
+/// through the surface; its alpha of 0 says that there is no air before it, see `shaders/backdrop.wgsl`. Black where a layer is left out or measured.
 fn clear_colour(frame: &Frame) -> wgpu::Color {
     let u = &frame.uniform;
     let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
@@ -534,5 +534,5 @@ fn clear_colour(frame: &Frame) -> wgpu::Color {
         return wgpu::Color::BLACK;
     }
     let [r, g, b] = DEEP_REFLECTANCE.map(|share| 0.25 * f64::from(u.exposure) * share);
-    wgpu::Color { r, g, b, a: 1.0 }
+    wgpu::Color { r, g, b, a: 0.0 }
 }

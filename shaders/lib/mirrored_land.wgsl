@@ -1,6 +1,7 @@
 // Land that water mirrors, as far as the picture shows it: what the surface sends up is followed over the scene until that is before it.
-// Who imports this declares the textures `scene_colour`, whose alpha is below 0 where land shows inland water, and `scene_depth`, and `LAKE`.
+// Who imports this declares the textures `scene_colour` and `scene_depth`, and `LAKE`.
 #import hash
+#import scene
 #import water
 
 const LAND_NEAREST = vec2f(2.0, 0.04);    // the first step of a sight, metres and of the water's distance
@@ -100,7 +101,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     // Triangles that slope up to a shore show inland water before it: the land is above that.
     var colour = textureLoad(scene_colour, land.xy, 0);
     let above = vec2u(land.x, land.y - min(land.y, u32(LAND_OVER_SHORE * frame.viewport.y) + 1u));
-    if (colour.a <= 0.0) & (textureLoad(scene_depth, above, 0) > 0.0) { colour = textureLoad(scene_colour, above, 0); }
+    if is_inland_water(colour) & (textureLoad(scene_depth, above, 0) > 0.0) { colour = textureLoad(scene_colour, above, 0); }
     let far = frame.clip_from_local * vec4f(mean.toward, 0.0);
     let shown = shown_at(far);
     let seen = pixel_within(shown);

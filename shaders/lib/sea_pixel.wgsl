@@ -10,6 +10,7 @@
 #import rollers
 #import limb
 #import mirrored_land
+#import scene
 #import crest_pixels
 #import gusts
 #import shore_pixels
@@ -34,8 +35,7 @@ const FOLDS = 0.2;             // heights of the picture within its rim that sta
 // Radiance of the scene in a pixel, and how much more light waves have gathered there than a flat surface, of bed_light.wgsl.
 fn scene_seen(pixel: vec2u) -> vec4f {
     let seen = textureLoad(scene_colour, pixel, 0);
-    // Below 0 where it shows inland water.
-    return vec4f(seen.rgb / max(frame.exposure, 1e-9), select(1.0, seen.a, seen.a > 0.0));
+    return vec4f(seen.rgb / max(frame.exposure, 1e-9), gathered_on(seen));
 }
 
 // The pixel of the scene that shows a place on the bed: `own`, where something else stands before it, or sky. What lies beside the picture is

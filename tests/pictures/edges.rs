@@ -3,23 +3,28 @@
 use ocean_globe::cli::render::{self, LayerName};
 use ocean_globe::renderer::{Radiance, Renderer};
 use ocean_globe::scene::frame::Output;
+use ocean_globe::scene::view::state::ViewState;
 
 use crate::tone::displayed;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 180];
 
+/// The exposed radiance of a picture before the lens, which spreads every edge.
+fn before_the_lens(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Vec<[f64; 3]> {
+    let _ = render::draw(renderer, state, size, Output::Picture).unwrap();
+    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let part = |texel: &[u8], at: usize| half::f16::from_le_bytes([texel[2 * at], texel[2 * at + 1]]).to_f64();
+    bytes.chunks_exact(8).map(|texel| [0, 1, 2].map(|at| part(texel, at))).collect()
+}
+
 /// Share of the columns whose highest crest ends in a pixel that is between sky and sea.
 fn between(renderer: &mut Renderer, quality: &str) -> f64 {
     // No foam, so that the sea under a crest is one dark blue; into the wind, away from the sun.
     let link = "#view=35.6812,-14.25,2,262,88&clouds=0&ride=1&bft=8&time=2026-11-20T12:00:00Z&rate=0&layers=-foam";
     let state = render::parse_state(&format!("{link}&quality={quality}")).unwrap();
-    let _ = render::draw(renderer, &state, SIZE, Output::Picture).unwrap();
-    // Before the lens, which spreads every edge.
-    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
-    let part = |texel: &[u8], at: usize| half::f16::from_le_bytes([texel[2 * at], texel[2 * at + 1]]).to_f64();
     let shown: Vec<f64> =
-        bytes.chunks_exact(8).map(|texel| displayed([0, 1, 2].map(|at| part(texel, at)))[0]).collect();
+        before_the_lens(renderer, &state, SIZE).into_iter().map(|radiance| displayed(radiance)[0]).collect();
     let red = |x: u32, y: u32| shown[(y * SIZE[0] + x) as usize];
     let mut columns = 0.0;
     for x in 0..SIZE[0] {
@@ -73,4 +78,28 @@ fn shores_from_space_end_in_pixels_between_sea_and_land() {
     println!("{edges} shores, {share:.3} of them in a pixel between");
     // A shore crosses a pixel anywhere: of 0.7 of them the share of land lies between those two.
     assert!(edges > 100 && share > 0.5, "{share} of {edges}");
+}
+
+#[test]
+fn far_ridges_before_the_sea_have_no_dark_outline() {
+    // Tahiti from 25 km, its ridges before the sea and before the sky.
+    let link = "#view=-17.42,-149.62,3000,155,74&haze=0.05&clouds=0&time=2026-06-21T20:30:00Z&quality=high";
+    let state = render::parse_state(link).unwrap();
+    let size = [480, 270];
+    let mut measuring = render::headless(DATA, Radiance::Single).unwrap();
+    let class = render::measure(&mut measuring, &state, size, LayerName::Class).unwrap().values;
+    let mut drawing = render::headless(DATA, Radiance::Half).unwrap();
+    let radiance = before_the_lens(&mut drawing, &state, size);
+    let at = |x: u32, y: u32| (y * size[0] + x) as usize;
+    let green = |x, y| radiance[at(x, y)][1];
+    let (mut ridges, mut dark) = (0, 0);
+    for x in 0..size[0] {
+        let Some(top) = (3..size[1] - 4).find(|&y| class[at(x, y)] == 0.0) else { continue };
+        ridges += 1;
+        let edge = green(x, top - 1).min(green(x, top));
+        dark += u32::from(edge < 0.97 * green(x, top - 3).min(green(x, top + 3)));
+    }
+    println!("{dark} of {ridges} columns have a dark skyline");
+    // The light of a pixel with an edge lies between that on its sides; rock darker than both is seldom.
+    assert!(ridges > 200 && dark * 20 < ridges, "{dark} of {ridges}");
 }
