@@ -10,6 +10,9 @@ const CLOUDS_IN_HAZE = vec4f(0.794, 0.879, 0.938, 0.964);
 // Shares of the sky from which on clouds are closed, and sines of the sun's elevation from which down its light comes from beyond them.
 const SHUT = vec2f(0.6, 0.95);
 const GLOW_BEYOND = vec2f(0.1, 0.0);
+const SIDES_LIT = 0.75;     // of the light that meets a plane which faces the sun, what the sides and bases of heaps send down of one on the horizon's; ours
+const LEVEL_LIT = 0.3;      // sine of the sun's elevation below which closed clouds, which are level, have less of it; what they have at least, as tops are
+const LEAST_LIT = 0.03;     // uneven: both ours, as higher suns' light goes through such clouds the better the steeper it comes
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
 
 // Numbers 0...1 in 16 bits each: three at each node, `Shadow` of clouds.wgsl, the last node for the eye's foot; then four at each of those for what
@@ -33,15 +36,22 @@ fn in_net_of(place: vec3f, size: vec2u) -> InNet {
     return in_net(clip.xy / max(clip.w, NEAR), size);
 }
 
+// Light of the sun that clouds send down to level ground where they are everywhere; `cover`: how closed they are. A sun that stands low, or has
+// not risen for the sea, shines on their sides and bases, redder than it does above, but the less on these the more level they are.
+fn sent_down(light: Daylight, mu_sun: f32, cover: f32) -> vec3f {
+    let level = clamp(mu_sun / LEVEL_LIT, LEAST_LIT, 1.0);
+    let sides = SIDES_LIT * (1.0 - saturate(mu_sun)) * mix(1.0, level, smoothstep(SHUT.x, SHUT.y, cover));
+    return LET_THROUGH * max(light.sun * max(mu_sun, 0.0), sides * SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu_sun));
+}
+
 // Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them. The
 // air is that of the eye's own sky, as it is before the clouds: with each place's own, the far sea would not end in the haze that the sky starts in.
 fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
-    let mu = max(mu_sun, 0.05);
     let cover = shadow.y;
-    let diffuse = LET_THROUGH * light.sun * mu;
     let over_eye = cover_at_eye();
-    let clouded = 0.5 * light.sky + diffuse;
-    return Daylight(light.sun * shadow.x, mix(light.sky, clouded, cover), cover, air_under(over_eye), shadow.z, mix(light.sky, clouded, over_eye));
+    let clouded = 0.5 * light.sky + sent_down(light, mu_sun, cover);
+    let clouded_eye = 0.5 * light.sky + sent_down(light, mu_sun, over_eye);
+    return Daylight(light.sun * shadow.x, mix(light.sky, clouded, cover), cover, air_under(over_eye), shadow.z, mix(light.sky, clouded_eye, over_eye));
 }
 
 fn net_shadow(node: u32) -> vec3f {
@@ -92,7 +102,7 @@ fn net_hidden(node: u32) -> vec4f {
 // `cover`: the share of clouds overhead, by which pictures go alone that mirror no single clouds. Who imports this declares FINE and CLOUDS
 // (src/pass/kind.rs), and MIRRORS_CLOUDS.
 fn clouded_sky(sky: vec3f, clear: Daylight, cover: f32, place: vec3f, rise: f32, up: vec3f) -> vec3f {
-    let cloudy = seen_from_below(rise, cover * cover) * (LET_THROUGH * clear.sun * max(dot(frame.light, up), 0.0) + 0.5 * clear.sky) / PI;
+    let cloudy = seen_from_below(rise, cover * cover) * (sent_down(clear, dot(frame.light, up), cover) + 0.5 * clear.sky) / PI;
     // The glow of a sun behind the horizon comes from beyond closed clouds: what haze and gaps let through of it would glint out of nowhere.
     let shut = smoothstep(SHUT.x, SHUT.y, cover) * smoothstep(GLOW_BEYOND.x, GLOW_BEYOND.y, dot(frame.light, up));
     if !MIRRORS_CLOUDS { return mix(sky, cloudy, mix(QUICK_HIDDEN * cover, 1.0, shut)); }
