@@ -5,7 +5,8 @@
 const WOODS_GREEN = vec2f(0.3, 0.6);         // how green imagery is where woods are none and all, and its albedo of green: rain forests have 0.045, the
 const WOODS_DARK = vec2f(0.088, 0.050);      // Black Forest 0.059, Holland 0.095
 const WOODS_TONE = 0.58;                     // how much darker woods are than the grass between them, of the mean
-const LEAST_EDGE = 0.03;                     // of the noise, in which a wood begins
+const LOGISTIC = 0.593;                       // deviation of a normal distribution over the logistic one's scale, that is nearest to it from 0.1 to 0.9
+const LEAST_EDGE = 0.02;                     // of the noise, in which a wood begins
 
 // How much of the ground are woods.
 fn wooded(albedo: vec3f, green: f32) -> f32 {
@@ -15,11 +16,11 @@ fn wooded(albedo: vec3f, green: f32) -> f32 {
 // Whether a place is in the woods that cover a `share` of the ground, of 0 to 1. `stands`: a noise with the deviation that all of it has, and the variance that shows.
 // What does not show of it widens the edges by as much as its variance lacks, so that the mean is the share for pixels of any width.
 fn woods_at(share: f32, stands: vec3f) -> f32 {
-    // Quantile of the normal distribution by the logistic one's.
+    // Of the normal distribution by the logistic one.
     let c = clamp(share, 0.004, 0.996);
-    let threshold = 0.5513 * stands.y * log((1.0 - c) / c);
-    let edge = max(sqrt(max(stands.y * stands.y - stands.z, 0.0)) / 0.447, LEAST_EDGE);
-    return mix(smoothstep(-edge, edge, stands.x - threshold) * smoothstep(0.0, 0.02, share), 1.0, smoothstep(0.98, 1.0, share));
+    let threshold = LOGISTIC * stands.y * log((1.0 - c) / c);
+    let edge = LOGISTIC * max(sqrt(max(stands.y * stands.y - stands.z, 0.0)), LEAST_EDGE);
+    return mix(smoothstep(0.0, 0.02, share) / (1.0 + exp(min((threshold - stands.x) / edge, 60.0))), 1.0, smoothstep(0.98, 1.0, share));
 }
 
 const CROWN_LEVEL = 21u;           // cells of 13.5 m at the equator, 9 m at 48°
@@ -31,7 +32,8 @@ const CROWN_BLOCKS = 7u;           // of four cells, that a sight crosses at mos
 const CROWN_CROSSED = 4.0;         // cells that it goes while it sinks by the height of the highest, at most
 const CROWN_TALL = vec2f(0.8, 1.5);          // height of a crown over its radius: broad ones, and pointed ones of cold places
 const CROWN_LIGHT = vec3f(0.12, 0.36, 1.15);  // of what is seen down to the ground, of crowns' feet and of their tops
-const CROWN_MEAN = 0.78;          // of that, seen from above
+const CROWN_MEAN = vec2f(0.645, 0.543);       // of that, seen from above, of broad crowns and of pointed ones
+const CROWN_SLIM = 0.12;           // by how much pointed ones are narrower
 
 struct Crown { radius: f32, middle: vec2f, base: f32, word: u32 }
 
@@ -41,7 +43,7 @@ fn crown_of(own: vec2u, from_own: vec2f, woods: f32, pointed: f32) -> Crown {
     let word = hash(vec3u(at, 57u));
     let part = vec4f(vec4u(word, word >> 8u, word >> 16u, word >> 24u) & vec4u(255u)) / 255.0;
     let stands = smoothstep(0.0, 0.15, 1.12 * woods - part.w);
-    let radius = stands * mix(CROWN_RADII.x, CROWN_RADII.y, part.z * part.z) * (1.0 - 0.22 * pointed);
+    let radius = stands * mix(CROWN_RADII.x, CROWN_RADII.y, part.z * part.z) * (1.0 - CROWN_SLIM * pointed);
     return Crown(radius, from_own + 0.5 + CROWN_ASIDE * (2.0 * part.xy - 1.0), CROWN_BASES * fract(7.31 * part.w + part.x), word);
 }
 
@@ -62,7 +64,7 @@ struct Canopy { tone: f32, rise: vec2f, shade: f32, leaf: vec3f, height: f32 }
 fn canopy(p: FinePoint, woods: f32, pointed: f32, sight_on_map: vec2f, sun_on_map: vec2f, sees: f32, nothing: bool) -> Canopy {
     let turn = vec2f(CROWN_TURN);
     let tall = mix(CROWN_TALL.x, CROWN_TALL.y, pointed);
-    let top = CROWN_BASES + CROWN_RADII.y * (1.0 - 0.22 * pointed) * tall;
+    let top = CROWN_BASES + CROWN_RADII.y * (1.0 - CROWN_SLIM * pointed) * tall;
     let sinks = by_turn(turn, sight_on_map) / length(turn);
     let sight = sinks * min(1.0, CROWN_CROSSED / (top * max(length(sinks), 1e-3)));
     let sun = by_turn(turn, sun_on_map) / length(turn);
@@ -113,7 +115,7 @@ fn canopy(p: FinePoint, woods: f32, pointed: f32, sight_on_map: vec2f, sun_on_ma
         shade = max(shade, select(0.0, smoothstep(0.0, 0.15, over), other.word != crown.word));
     }
     let light = select(CROWN_LIGHT.x, mix(CROWN_LIGHT.y, CROWN_LIGHT.z, saturate(met / (0.85 * top)) * (0.5 + 0.5 * high)) * (1.0 + 0.3 * tree), met > 0.0);
-    var found = Canopy(light / CROWN_MEAN - 1.0, vec2f(0.0), shade, vec3f(f32(crown.word & 63u) + radius * place, sees), met);
+    var found = Canopy(light / mix(CROWN_MEAN.x, CROWN_MEAN.y, pointed) - 1.0, vec2f(0.0), shade, vec3f(f32(crown.word & 63u) + radius * place, sees), met);
     let rise = -tall * select(0.0, 1.0, met > 0.0) * side / (radius * max(high, STEEPEST_SIDE));
     found.rise = by_turn(vec2f(turn.x, -turn.y), rise) / length(turn);
     return found;

@@ -100,7 +100,7 @@ fn woods_cover_their_share_in_pixels_of_any_width() {
             let found: Vec<f32> = kernel::answers(SHARES, &asked);
             let mean = found.iter().map(|x| f64::from(*x)).sum::<f64>() / COUNT as f64;
             println!("{shown} shown: {mean:.4} for {share}");
-            // The logistic quantile is 0.01 off the normal one's share, chance 0.008 by half a share.
+            // The logistic distribution is 0.008 off the normal one, chance 0.008 of half a share.
             assert!((mean - share).abs() < 0.02, "{shown}, {share}: {mean}");
         }
     }
