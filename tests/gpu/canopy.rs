@@ -47,7 +47,9 @@ fn square(sight: [f32; 2], woods: f32, pointed: f32) -> Vec<[f32; 4]> {
 #[test]
 fn a_sight_meets_the_first_crown_in_its_way() {
     // From straight down to 20° below the horizontal, where it goes 2.7 cells while it sinks by one.
-    for (sight, woods, pointed) in [([0.0, 0.0], 1.0, 0.0), ([1.0, -0.3], 0.6, 0.0), ([-1.9, 1.7], 1.0, 0.0), ([-0.4, 1.4], 0.7, 1.0)] {
+    for (sight, woods, pointed) in
+        [([0.0, 0.0], 1.0, 0.0), ([1.0, -0.3], 0.6, 0.0), ([-1.9, 1.7], 1.0, 0.0), ([-0.4, 1.4], 0.7, 1.0)]
+    {
         let found = square(sight, woods, pointed);
         let worst = found.iter().map(|f| (f[1] - f[2]).abs()).fold(0.0_f32, f32::max);
         let covered = found.iter().filter(|f| f[2] > 0.0).count();
@@ -95,7 +97,9 @@ fn woods_cover_their_share_in_pixels_of_any_width() {
         for share in [0.0, 0.1, 0.35, 0.5, 0.8, 1.0] {
             let asked: Vec<[f32; 4]> = normal
                 .iter()
-                .map(|n| [share, shown.sqrt() * DEVIATION * n, DEVIATION, shown * DEVIATION * DEVIATION].map(|x| x as f32))
+                .map(|n| {
+                    [share, shown.sqrt() * DEVIATION * n, DEVIATION, shown * DEVIATION * DEVIATION].map(|x| x as f32)
+                })
                 .collect();
             let found: Vec<f32> = kernel::answers(SHARES, &asked);
             let mean = found.iter().map(|x| f64::from(*x)).sum::<f64>() / COUNT as f64;
