@@ -47,6 +47,17 @@ const THROUGH_LEAVES = 0.35;      // light that comes through what grows, of tha
 const SPARSE_GRASS = 0.35;        // share of the ground that grass covers where it begins
 const HOLDS_ON = 0.35;           // by how much steeper slopes have to be where forests of the wet tropics grow, before rock stands out
 const HOLDS_ON_VALLEYS = 1.0;    // and in valleys that are as steep all over
+const FIRS = vec2f(0.72, 0.85);    // sines of latitudes between which broad crowns become pointed ones
+const CROWN_GAIN = 0.1;          // by which crowns that show are brighter than their sides and their shadows on each other would be, so that a wood is as bright from near as from afar
+const OVERHUNG_WIDTH = 0.12;     // of a beach's, below woods where they hang over the water,
+const OPEN_WIDTH = 1.3;          // and where they do not
+const LAYERED = 0.5;             // how far layers of rock and the ledges between tell where a slope is bare
+const OVERGROWN_ROCK = 0.7;      // of what rock reflects elsewhere, that of the wet tropics: plants hold on to it
+const ROCK_LAYERS = 1.3;         // and how much their tones differ,
+const ROCK_STREAKS = 0.7;        // and those of what has run down over them
+const WOODS_ROUGH = 0.25;        // slopes of woods' tops over tens of metres
+const HOT_SPOT = 0.45;           // how much of the light is lost to shadows that woods cast on themselves; none as satellites see
+const HOT_SPOT_MEAN = 0.75;      // them, from above with a sun 30° from the zenith
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -130,13 +141,15 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     let bank = at.kind.bank * kind_seen;
     let towers = made.towers * kind_seen;
-    let usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, towers);
+    var usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, towers);
     let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)));
-    let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(towers, 0.0, is_bed)), ROCK, max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff));
+    let hard = max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff);
+    let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(towers, 0.0, is_bed)), ROCK, hard);
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
     var rises = vec2f(0.0);
+    var own_shade = 0.0;
     var standing = NOTHING_STANDS;
     var flat = 1.0;
     var grain = Grain(0.0, vec2f(0.0));
@@ -160,6 +173,20 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             let sinks = max(-dot(direction, raised), LEAST_SINKING);
             let sight_over = sight * max(-dot(direction, up), LEAST_SINKING) / sinks;
             let sunlight = sinking(point, -frame.light, up, 0.4) * max(dot(frame.light, up), 0.4) / max(dot(frame.light, raised), 0.4);
+            // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
+            let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
+            let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
+            // Rock stands out where it is steep, more of it on this slope than on that, and of this layer than of that; woods stand elsewhere.
+            let holds = green * max(smoothstep(WARM.y, WARM.x, abs(sin_lat)), made.carved);
+            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - mix(HOLDS_ON, HOLDS_ON_VALLEYS, made.carved) * holds + mix(0.1, 0.3, holds) * detail.tone);
+            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, max(towers, steep) <= 0.0);
+            let rock = 0.8 * (1.0 - towers) * saturate(steep + 6.0 * LAYERED * steep * (1.0 - steep) * wall.layers);
+            let bare_wall = towers * wall.bare;
+            let all_woods = wooded(albedo, green) * (1.0 - farm);
+            let woods = select(woods_at(all_woods, detail.stands), all_woods, is_bed);
+            // Woods and grass hang over the water here, where the shore is steep or rock, and there is a beach or bare rock there.
+            let open_shore = smoothstep(-0.12, 0.2, map_noise_rise(point.at, 15u, 87u).x + 0.7 * map_noise_rise(point.at, 17u, 88u).x);
+            usual_width *= mix(1.0, mix(OVERHUNG_WIDTH, OPEN_WIDTH, open_shore), max(all_woods, 0.8 * max(rocky, hard)) * kind_seen);
             let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach_width(point.at, usual_width);
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
@@ -167,22 +194,19 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             // Much grows where it is dark.
             let bent = moved_by(FinePoint(point.at, part), BENT * detail.bent);
             let open = smoothstep(0.0, 0.2, inland) * 0.5 * (inland + FRAYED * detail.coarse);
+            let trees = select(woods * smoothstep(0.1, 0.6, open) * (1.0 - max(rock, bare_wall)), 0.0, is_bed);
             if GROWTH {
-                standing = plants(bent, green, -detail.clumps, farm, open, sight_over, sunlight, sinks * distance, growth, across);
+                standing = plants(bent, trees, smoothstep(FIRS.x, FIRS.y, abs(sin_lat)), green, -detail.clumps, farm, open, sight_over, sunlight, sinks * distance, growth, across);
                 standing.shade = select(standing.shade, 0.0, is_bed);
             }
-            albedo = detailed_albedo(albedo, green, farm, detail, standing.tone, flat);
-            // Hills are as rough as the ground about them is steep, and none stand where the relief has its own.
-            let rough = select(0.22 * min(0.2 + 7.0 * length(terrain), 1.3), 0.0, is_bed) * (1.0 - made.whole);
-            let hills = rough * east_north_of(point, detail.rise * vec2f(1.0, -1.0));
+            albedo = detailed_albedo(albedo, green, farm, detail, WOODS_TONE * (all_woods - woods), standing.tone, flat);
             rises = select(STANDING, 0.0, is_bed) * east_north_of(point, standing.rise * vec2f(1.0, -1.0));
-            shaded = normalize(normal - hills.x * east - hills.y * north);
-            // Rock stands out where it is steep, more of it on this slope than on that.
-            let holds = green * max(smoothstep(WARM.y, WARM.x, abs(sin_lat)), made.carved);
-            let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - mix(HOLDS_ON, HOLDS_ON_VALLEYS, made.carved) * holds + mix(0.1, 0.3, holds) * detail.tone);
-            albedo = mix(albedo, ROCK, 0.7 * (1.0 - towers) * steep);
-            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, towers <= 0.0);
-            let bare_wall = towers * wall.bare;
+            let tops = WOODS_ROUGH * trees * east_north_of(point, detail.tops * vec2f(1.0, -1.0));
+            shaded = normalize(normal - (hills.x + tops.x) * east - (hills.y + tops.y) * north);
+            // Seen with the sun behind oneself woods show no shadows of their own, and towards it little else: as the crowns do where they show.
+            let towards_sun = 0.5 - 0.5 * dot(direction, frame.light);
+            own_shade = trees * mix(HOT_SPOT * (towards_sun * towards_sun - HOT_SPOT_MEAN), CROWN_GAIN, standing.cover);
+            albedo = mix(albedo, ROCK * mix(1.0, OVERGROWN_ROCK, holds) * max(1.0 + ROCK_LAYERS * wall.layers - ROCK_STREAKS * wall.streaks, 0.3), rock);
             albedo = mix(albedo * mix(1.0, WOODED, green * towers), wall.albedo, bare_wall);
             rises *= 1.0 - bare_wall;
             standing.cover *= 1.0 - bare_wall;
@@ -211,7 +235,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
     // Leaves let light through to the side that is turned away.
     let faces = max(dot(frame.light, shaded), THROUGH_LEAVES * standing.cover * max(dot(frame.light, up), 0.0));
-    let sun = light.sun * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
+    let sun = light.sun * (1.0 + own_shade) * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
     // Valleys see less of the sky.
     let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
     return LitGround(normal, albedo, albedo / PI * (sun + ambient), select(sandy * (1.0 - grown), 0.0, is_bed));

@@ -45,9 +45,11 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 
 // What is finer than any imagery here, from 5 km down to 0.3 m or what pixels hold: tones whose mean is none, of all and of what is wider than 10 m,
 // the rise of small hills right and down on the map, as slopes of about one, how far the octaves of 305 and 76 m have bent the place, in units of the map, what
-// chooses where farms lie, which knows nothing of the tones, and the fields.
-struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, tillage: f32, fields: Fields }
+// chooses where farms lie, which knows nothing of the tones, and the fields. `stands`: as of canopy.wgsl: dark ground has woods; `tops`: how woods' tops rise and fall.
+struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, tillage: f32, stands: vec3f, tops: vec2f, fields: Fields }
 
+const NOISE_VARIANCE = 0.0298;      // of the values of `map_noise_rise`
+const STANDS_DEVIATION = 0.2487;    // of all octaves of the noise that tells where woods stand
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
 const WIDEST_TONES: f32 = 0.2;     // of the widest, which from space are as wide as what imagery shows, and would lie over it like a fabric
 const HEDGE_TREES = 2.0;           // how much less of a hedge there is where clumps are one, and more where they are minus one; ours
@@ -58,7 +60,7 @@ const WARP: f32 = 0.08;            // how far an octave moves the next one, of i
 // the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
-    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0), vec4f(0.0), 0.0, 0.0, Fields(0.0, 0.0, 0.0));
+    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0), vec4f(0.0), 0.0, 0.0, vec3f(0.0), vec2f(0.0), Fields(0.0, 0.0, 0.0));
     var bend = vec2f(0.0);
     var level = 13u;
     var place = at;
@@ -70,6 +72,9 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         detail.tone += height;
         detail.coarse += select(0.0, height, level < 20u);
         detail.clumps = select(detail.clumps, vec4f(height), vec4u(level) == vec4u(19u, 21u, 23u, 25u));
+        let stands = max(1.0 - 0.17 * abs(f32(level) - 17.0), 0.0);
+        detail.stands += vec3f(-shown * stands * noise.x, 0.0, shown * shown * stands * stands);
+        detail.tops += select(vec2f(0.0), shown * noise.yz, level == 21u);
         detail.hue += select(0.0, shown * noise.y, level == 19u || level == 23u);
         detail.rise += shown * noise.yz * select(0.5, sign(noise.x), is_hill);
         // Unseen octaves bend as well as seen ones, so that nothing moves with the eye.
@@ -81,6 +86,7 @@ fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
         level += 2u;
         if level > 27u || footprint * exp2(f32(level)) >= 0.7 * EARTH_TURN { break; }
     }
+    detail.stands = vec3f(detail.stands.x, STANDS_DEVIATION, detail.stands.z * NOISE_VARIANCE);
     detail.fields = fields_at(at, bend, footprint);
     // Hedges have gaps and trees in them.
     detail.fields.hedge *= max(1.0 - HEDGE_TREES * dot(detail.clumps, vec4f(0.5, 1.0, 0.0, 0.0)), 0.0);
@@ -98,7 +104,7 @@ const CANOPY = vec3f(0.95, 0.78, 0.85);
 const STRAW = vec3f(0.10, 0.03, -0.02);
 
 // Albedo with detail, of the same mean: soil among plants, bare ground among snow, fields, and what stands on it.
-fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, standing: f32, flat: f32) -> vec3f {
+fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, woods: f32, standing: f32, flat: f32) -> vec3f {
     let whiteness = smoothstep(0.15, 0.75, min(albedo.r, min(albedo.g, albedo.b)));
     let tones = mix(vec3f(0.40, 0.43, 0.47), vec3f(1.15, 0.95, 1.0), green) * (1.0 - 0.85 * whiteness);
     // Groves and clearings differ more than the ground in them does. Odd in the tone, so that the mean stays none.
@@ -108,5 +114,5 @@ fn detailed_albedo(albedo: vec3f, green: f32, farm: f32, detail: Detail, standin
     let stands = standing * (1.0 - whiteness) * mix(SHRUB, CANOPY, green);
     let hue = 1.0 + green * clamp(detail.hue, -1.0, 1.0) * STRAW;
     let field = 1.0 + farm * field_tones(detail.fields);
-    return max(albedo * hue * field * max((1.0 + tones * tone) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
+    return max(albedo * hue * field * max((1.0 + tones * tone + woods) * (1.0 + stands), vec3f(0.15)) + patches, vec3f(0.01));
 }

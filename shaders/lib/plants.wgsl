@@ -1,4 +1,5 @@
 // What stands on the ground: groves, trees, shrubs, herbs and tufts of grass, domes of five sizes of cells.
+#import canopy
 #import domes
 
 // That of a size: groves with cells of 37 m at the equator, trees of 8.5 m, shrubs of 3.0 m, herbs of 1.2 m, tufts of 0.38 m.
@@ -21,10 +22,19 @@ fn share_of(size: u32, green: f32, clumps: vec4f) -> f32 {
     return clamp(mix(bare[size], lush[size], green) + mix(1.2, 2.0, green) * select(1.0, 1.8, size > 2u) * groups, 0.0, select(0.6, 0.95, size > 2u));
 }
 
+// Crowns of woods, as far as pixels so wide show them: of upright ones a flat sight sees fewer, but no narrower.
+fn in_woods(p: FinePoint, woods: f32, pointed: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres, across: Metres) -> Standing {
+    let cell = EARTH_TURN * max(frame.cos_lat, 0.1) / exp2(f32(CROWN_LEVEL)) / length(vec2f(CROWN_TURN));
+    let whole = woods * smoothstep(1.3, 2.2, eye / cell) * (1.0 - smoothstep(0.3, 0.9, min(footprint, 1.5 * across) / cell));
+    let own = canopy(p, woods, pointed, sight, sun, across / cell, whole <= 0.0);
+    return Standing(whole * own.tone, whole, whole * own.rise, whole * own.shade, own.leaf);
+}
+
 // What stands on ground that is so `green`; `clumps`: as of `share_of`. `farm`: how far it is farmed, where few trees and shrubs are left. `open`: from 0 to 1 from a beach to where trees can grow; `sight` and `sun`: as of `domes`; `eye`: how high it is above the ground,
 // which is no more than a picture: there are no trees about an eye below their tops. `across`: of a pixel that faces the eye, as the sides of plants do.
-fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres, across: Metres) -> Standing {
-    var found = NOTHING_STANDS;
+fn plants(p: FinePoint, woods: f32, pointed: f32, green: f32, clumps: vec4f, farm: f32, open: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres, across: Metres) -> Standing {
+    var found = in_woods(p, woods, pointed, sight, sun, eye, footprint, across);
+    let apart = 1.0 - woods;
     var size = 0u;
     loop {
         let lattice = lattice_of(size);
@@ -33,7 +43,7 @@ fn plants(p: FinePoint, green: f32, clumps: vec4f, farm: f32, open: f32, sight: 
         let cell = EARTH_TURN * max(frame.cos_lat, 0.1) / exp2(f32(lattice.level)) / length(vec2f(lattice.turn));
         // Towards the beach groups become smaller and fewer.
         let grows = smoothstep(0.55 - 0.55 * small, 1.0 - 0.1 * small, open);
-        let share = smoothstep(1.2 * top, 3.0 * top, eye / cell) * (1.0 - select(0.0, 0.85 * farm, size < 3u)) * max(share_of(size, green, clumps) + grows - 1.0, 0.0);
+        let share = smoothstep(1.2 * top, 3.0 * top, eye / cell) * select(1.0, apart * (1.0 - 0.85 * farm), size < 3u) * max(share_of(size, green, clumps) + grows - 1.0, 0.0);
         // Groves take the place of trees that do not show.
         let near = select(1.0, smoothstep(0.06, 0.17, footprint / cell), size == 0u);
         let whole = near * (1.0 - smoothstep(0.25, 0.7, footprint / cell));

@@ -6,6 +6,7 @@ mod bed;
 mod beside_shore;
 mod bisection;
 mod bloom;
+mod canopy;
 mod clouds;
 mod daylight;
 mod driven_spray;

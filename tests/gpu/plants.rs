@@ -190,7 +190,7 @@ const EARTH_TURN: Metres = 40075016.686;
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&footprints) { return; }
     let at = FinePoint(vec2u(1000000u, 2000000u) + 40000u * vec2u(id.x % 16u, id.x / 16u), vec2f(0.0));
-    let stands = plants(at, 1.0, vec4f(0.5), 0.0, 1.0, vec2f(1.0), vec2f(1.0), 30000.0, footprints[id.x], footprints[id.x]);
+    let stands = plants(at, 0.5, 0.5, 1.0, vec4f(0.5), 0.0, 1.0, vec2f(1.0), vec2f(1.0), 30000.0, footprints[id.x], footprints[id.x]);
     found[id.x] = array(stands.tone, length(stands.rise), stands.cover, stands.shade);
 }";
 
