@@ -220,6 +220,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     if SPRAY && FINE {
         let along_streaks = streaks_seen(direction, up, footprint * footprint / across, across);
         driven = driven_spray(foam_at, along_streaks, grazing, distance, ground.ocean_shore);
+        driven = spray_on_crests(driven, 4.0 * in.height / max(height * frame.wave_height, 0.01), crests_kept(footprint));
     }
     var radiance = through_spray(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance, driven);
     if !ground.is_ocean { radiance = mix(behind, radiance, covers); }
