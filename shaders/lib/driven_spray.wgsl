@@ -29,3 +29,13 @@ fn driven_spray(at: vec2f, pixel: vec2f, grazing: f32, distance: Metres, from_sh
     let gust = exp(deviation * level.level - 0.5 * deviation * deviation * level.kept);
     return vec2f(gust, frame.spray * driven * gust * min(SHEET / max(grazing, 0.02), distance));
 }
+
+// How much denser than usual the sheet on the water is where that is so many deviations high, of which pixels show `kept`: the mean over a sea is 1. Crests shelter
+// the troughs behind them from the spray that is torn off.
+const SHEET_ON_CRESTS: f32 = 0.7;
+const SPRAY_ON_CRESTS: f32 = 0.3;
+
+fn spray_on_crests(driven: vec2f, deviations: f32, kept: f32) -> vec2f {
+    let contrast = vec2f(SPRAY_ON_CRESTS, SHEET_ON_CRESTS) * kept * storm();
+    return driven * exp(contrast * clamp(deviations, -3.0, 3.0) - 0.5 * contrast * contrast);
+}

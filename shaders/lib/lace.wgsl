@@ -19,12 +19,25 @@ const THICK_FROM: f32 = 1.45;
 const THICK_RAMP: f32 = 0.25;
 // Of young foam so much is dense: there are holes between its heaps.
 const CLOSED: f32 = 0.7;
+const FRESH_CLOSED: f32 = 0.88;   // and what has just broken has fewer
 // Dense foam is whitest in its midst: from how much higher on, and how much of its opacity that is.
 const MIDST_FROM: f32 = 0.8;
 const MIDST: f32 = 0.2;
 // The lip of dense foam shades the water before it: this wide, in deviations, and so much.
 const SHADED: f32 = 0.35;
 const SHADE: f32 = 0.6;
+const OVERHANGS: f32 = 1.0;       // and by how much wider the front of what breaks shades it
+// A crest that breaks is a front: where foam is so young, of all that is there, its share rises so many times as steeply from water to white, about
+// a share that leaves its mean.
+const FRESH = vec2f(0.38, 0.95);
+const FRONT_STEEPER: f32 = 1.5;
+const FRONT_AT: f32 = 0.42;
+// Its face is darker than its top, which the sky lights from all sides: by how much, and deviations of its level over which.
+const FRONT_FACE: f32 = 0.3;
+const FRONT_FACE_RISES: f32 = 1.6;
+// What tumbles has larger lumps than foam that lies, by so much, and its edge has lobes, of so much of its level's variance.
+const TUMBLED: f32 = 1.6;
+const LOBES: f32 = 0.5;
 // The film begins where foam ends: the width of its edge, from how much higher it is thick, the width of the passage to that, and the part
 // of its opacity that comes about at its edge: little, that there is dark water between streaks.
 const FILM_EDGE: f32 = 0.08;
@@ -50,6 +63,11 @@ const BENDS = vec3f(8.0, 4.0, 0.9);
 // Rows wind: by so many texels across the wind, over stretches of 256 and 32 m; streaks over 256, 32, 8 and 2 m. Straight ones would be grain of wood.
 const ROWS_WIND = vec2f(64.0, 14.0);
 const STREAKS_WIND = vec4f(40.0, 9.0, 2.5, 0.6);
+// Nor are they evenly spaced, as teeth of a comb: over rectangles of 128 by 32 m rows and streaks are drawn apart and together, by so many texels at most, and
+// streaks take so much more or less of the middle net.
+const UNEVEN = vec2u(9u, 7u);
+const UNEVENLY = vec2f(22.0, 24.0);
+const UNEVEN_STREAKS: f32 = 0.8;
 // Young foam lies together in masses as wide as a crest breaks: parts of its variance that the widest net has in high waves, and the rows.
 const MASSES: f32 = 0.45;
 const MASSES_IN = vec2f(0.5, 5.0);   // significant wave heights at which it has none of that, and all, metres
@@ -93,6 +111,7 @@ struct Lace {
     rafts: vec2f,          // how much more than their mean a pixel shows of the rafts of thin foam and of film
     bumps: vec2f,          // slope of dense foam's surface, along the wind and across it
     crease: f32,           // how deep dense foam's creases are, of mean 0 wherever it lies, about normal
+    fresh: f32,            // how much of it has just broken, 0…1
 }
 
 // Share of the film that has bubbles.
@@ -128,14 +147,17 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     var in_rows = texels;
     var in_streaks = texels;
     var nets = mix(NETS, STORM_NETS, storm());
+    var streaked = STREAKED * storm();
     if fine {
         let far = wander(texels, 7u);
         let near = wander(texels, 5u);
         let next = wander(texels, 3u);
         bent += BENDS.x * far + BENDS.y * near + BENDS.z * next;
         let wide = wander(texels, 10u).y;
-        in_rows.y += dot(ROWS_WIND, vec2f(wide, far.x));
-        in_streaks.y += dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x));
+        let uneven = wander_along(texels, UNEVEN);
+        in_rows.y += dot(ROWS_WIND, vec2f(wide, far.x)) + UNEVENLY.x * uneven.x;
+        in_streaks.y += dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x)) + UNEVENLY.y * uneven.x;
+        streaked = min(streaked * (1.0 + UNEVEN_STREAKS * uneven.y), vec2f(1.0));
         nets *= exp(TURNS * vec3f(near.x, far.x, near.y));
         nets /= nets.x + nets.y + nets.z;
     }
@@ -152,10 +174,9 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     var of_film_middle = heaps;
     var foam_rows = rows;
     var film_rows = rows;
-    let streaked = STREAKED * storm();
-    if streaked.x > 0.0 {
-        // Of 745 by 23 m.
-        let streaks = net_along(finer * vec2i(11, 0), vec2i(32768, 1024), in_streaks, pixel);
+    if storm() > 0.0 {
+        // Of 1490 by 47 m.
+        let streaks = net_along(finer * vec2i(11, 0), vec2i(65536, 2048), in_streaks, pixel);
         middle = both(heaps, streaks, streaked.x);
         of_film_middle = both(heaps, streaks, streaked.y);
         // Of 2.6 by 1.3 km, turned as no other is: levels of one tile that lie in step are not independent.
@@ -187,7 +208,38 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), film_levels), dense),
         1.0 - vec3f(dot(of_foam, kept), dot(of_film, film_kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
         mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
-        mat3x2f(heaps.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease);
+        mat3x2f(heaps.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease, 0.0);
+}
+
+// Where the foam map is asked for a place of the water: fronts run ahead in some places and fall back in others, over widths of 8 and 2 m, by so many widths of
+// what breaks as one.
+const RAGGED_FRONTS = vec2f(0.8, 0.3);
+
+fn ragged(at: vec2f) -> vec2f {
+    let texels = lace_texels(at);
+    return at + frame.foam_levels[1].breaking * (RAGGED_FRONTS.x * wander(texels, 5u).x + RAGGED_FRONTS.y * wander(texels, 3u).x) * wave_cells[0].wind;
+}
+
+// How far foam of which so much is young has just been made.
+fn freshness(shares: vec2f) -> f32 { return smoothstep(FRESH.x, FRESH.y, shares.y / max(shares.x, 1e-3)); }
+
+// A share as the front of what breaks has it.
+fn fronted(share: f32, fresh: f32) -> f32 {
+    return normal_share(mix(1.0, FRONT_STEEPER, fresh) * normal_quantile(share) - fresh * FRONT_STEEPER * normal_quantile(FRONT_AT));
+}
+
+// The lace where so much foam is fresh, whose young share has a slope in the foam map's plane: that steepens the edge of dense foam.
+fn on_front(seen: Lace, young: f32, slope: vec2f, fresh: f32) -> Lace {
+    var found = seen;
+    let wind = wave_cells[0].wind;
+    let quantile = normal_quantile(young);
+    // Of the share's quantile, whose slope is the share's over the normal density.
+    let steep = fresh * FRONT_STEEPER * 2.5066 * exp(0.5 * min(quantile * quantile, 6.0)) * slope;
+    found.slope += vec2f(-wind.x * steep.x - wind.y * steep.y, wind.y * steep.x - wind.x * steep.y);
+    let lobes = LOBES * fresh * (1.0 - seen.hidden.z);
+    found.level.z = sqrt(1.0 - lobes) * seen.level.z + sqrt(lobes) * seen.crease;
+    found.fresh = fresh;
+    return found;
 }
 
 // How much the height of the water decides where the film lies, and shares of the water under it at which that begins and ends: a thin one is grey all over.
@@ -214,7 +266,8 @@ fn on_crests(seen: Lace, deviations: f32, kept: f32) -> Lace {
 }
 
 // Above which level foam is dense: of young foam that covers a share, and where only the share of all foam is sought.
-fn dense_from(young: f32) -> f32 { return -normal_quantile(CLOSED * young) * sqrt(1.0 + THICK_RAMP * THICK_RAMP); }
+fn dense_from(young: f32) -> f32 { return fresh_dense_from(young, 0.0); }
+fn fresh_dense_from(young: f32, fresh: f32) -> f32 { return -normal_quantile(mix(CLOSED, FRESH_CLOSED, fresh) * young) * sqrt(1.0 + THICK_RAMP * THICK_RAMP); }
 fn usually_dense_from(share: f32) -> f32 { return THICK_FROM - excess(share, 0.0); }
 fn mean_dense_from(share: f32, fine: bool) -> f32 {
     if fine { return dense_from(usual_young(share)); }
@@ -245,9 +298,9 @@ fn opacity(excess: f32, inside: f32, hidden: f32, rise: f32, thick: f32, deviati
 }
 
 // Light that dense foam takes from the water beside it.
-fn shade_of(rise: f32, thick: f32, deviation: f32, fine: bool) -> f32 {
+fn shade_of(rise: f32, thick: f32, deviation: f32, fresh: f32, fine: bool) -> f32 {
     if !fine { return 0.0; }
-    return SHADE * (normal_share(rise + SHADED * deviation) - thick);
+    return SHADE * (normal_share(rise + SHADED * (1.0 + OVERHANGS * fresh) * deviation) - thick);
 }
 
 // What is seen of rafts where foam covers a share, and of the film's.
@@ -284,11 +337,12 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
     if fine {
         // They have its shape, too.
         let body = max(thick, smoothstep(BODY.x, BODY.y, white + faint));
-        tilt += mix(BUMPS_THIN, -1.0, body) * seen.bumps;
+        tilt += mix(BUMPS_THIN, -1.0 - TUMBLED * seen.fresh * thick, body) * seen.bumps;
         let deep = seen.crease * inverseSqrt(1.0 + CREASE_ENDS * seen.crease * seen.crease);
         open -= CREASE * (body * deep - (body - thick) * FILM_CREASED * (1.0 - seen.hidden.y));
+        open *= 1.0 + FRONT_FACE * seen.fresh * (saturate(rise / (deviation * FRONT_FACE_RISES)) - 0.75);
     }
-    return Foam(opaque, open, max(max(plume, stirred(height)), saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, fine),
+    return Foam(opaque, open, max(max(plume, stirred(height)), saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, seen.fresh, fine),
         tilt.x * (-wind.x * axis_x - wind.y * axis_y) + tilt.y * (wind.y * axis_x - wind.x * axis_y));
 }
 
@@ -307,6 +361,6 @@ fn mean_foam(share: f32, dense_from: f32, height: f32, fine: bool) -> Foam {
         + (1.0 - FILM_FAINT) * normal_share((threshold - FILM_THICK) * inverseSqrt(1.0 + FILM_RAMP * FILM_RAMP)));
     // Bubbles are hidden where foam is dense.
     let bubbles = saturate(0.5 * share + BUBBLES_BELOW * faint);
-    return Foam(white + faint, 1.0, max(max(normal_share((above - 1.0) * inverseSqrt(1.25)), stirred(height)), bubbles), shade_of(rise, thick, deviation, fine),
+    return Foam(white + faint, 1.0, max(max(normal_share((above - 1.0) * inverseSqrt(1.25)), stirred(height)), bubbles), shade_of(rise, thick, deviation, 0.0, fine),
         vec2f(0.0));
 }

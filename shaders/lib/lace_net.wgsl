@@ -53,11 +53,15 @@ fn wander_of_square(square: vec2i, size: u32) -> vec2f {
 }
 
 // Two smooth numbers, -1…1, which change over squares of 2^size texels. Computed, not looked up: bytes would bend the lace in steps.
-fn wander(texels: vec2f, size: u32) -> vec2f {
+fn wander(texels: vec2f, size: u32) -> vec2f { return wander_along(texels, vec2u(size)); }
+
+// As `wander`, over rectangles of 2^size texels along the wind and across it.
+fn wander_along(texels: vec2f, size: vec2u) -> vec2f {
     let whole = frame.lace_texel + vec2i(floor(texels));
-    let square = whole >> vec2u(size);
-    let f = (vec2f(whole & vec2i((1 << size) - 1)) + texels - floor(texels)) / f32(1 << size);
+    let square = whole >> size;
+    let side = vec2i(1) << size;
+    let f = (vec2f(whole & (side - 1)) + texels - floor(texels)) / vec2f(side);
     let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    return mix(mix(wander_of_square(square, size), wander_of_square(square + vec2i(1, 0), size), u.x),
-        mix(wander_of_square(square + vec2i(0, 1), size), wander_of_square(square + vec2i(1, 1), size), u.x), u.y);
+    return mix(mix(wander_of_square(square, size.x), wander_of_square(square + vec2i(1, 0), size.x), u.x),
+        mix(wander_of_square(square + vec2i(0, 1), size.x), wander_of_square(square + vec2i(1, 1), size.x), u.x), u.y);
 }

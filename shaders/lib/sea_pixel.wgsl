@@ -157,7 +157,9 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     var foam = flat_foam(0.0, 0.0);
     var facets = MEAN_FACETS;
     if FOAM {
-        let lies = foam_share(foam_at, in.height, sea.height, foam_footprint, FINE);
+        var asked = foam_at;
+        if FINE { asked = ragged(foam_at); }
+        let lies = foam_share(asked, in.height, sea.height, foam_footprint, FINE);
         var shares = whitened * vec2f(lies.all, lies.young);
         let width = faced * footprint;
         let long = max(width, 0.5 * max(right, down));
@@ -165,7 +167,9 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         var seen = lace_in(foam_at, wide, streaks_seen(direction, up, wide, min(wide, STREAKS_BLUR * max(across, 0.5 * min(right, down)))), 1, FINE);
         var dense = usually_dense_from(shares.x);
         if FINE {
-            shares = standing(shares, grazing);
+            let fresh = freshness(shares);
+            seen = on_front(seen, shares.y, lies.slope, fresh);
+            shares = standing(vec2f(fronted(shares.x, fresh), fronted(shares.y, fresh)), grazing);
             if SURF {
                 let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, to_shore, seen.level.z);
                 let white = at_waterline(ground.ocean_shore, seen.level.z) * surf.xy;
@@ -176,7 +180,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
             facets = facets_at(foam_at, across, grazing);
             seen = on_folds(seen, slopes.folds, FOLDED);
             seen = on_crests(seen, 4.0 * in.height / max(height * frame.wave_height, 0.01), crests_kept(footprint));
-            dense = dense_from(shares.y);
+            dense = fresh_dense_from(shares.y, seen.fresh);
         }
         foam = foam_of(shares.x, dense, height, seen, FINE);
         if FINE { foam.slope += whitened * roller_slope(lies.slope); }
@@ -216,6 +220,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     if SPRAY && FINE {
         let along_streaks = streaks_seen(direction, up, footprint * footprint / across, across);
         driven = driven_spray(foam_at, along_streaks, grazing, distance, ground.ocean_shore);
+        driven = spray_on_crests(driven, 4.0 * in.height / max(height * frame.wave_height, 0.01), crests_kept(footprint));
     }
     var radiance = through_spray(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance, driven);
     if !ground.is_ocean { radiance = mix(behind, radiance, covers); }

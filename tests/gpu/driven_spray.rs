@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use ocean_globe::gpu::{Gpu, shader};
-use ocean_globe::model::noise;
+use ocean_globe::model::{lace, noise};
 use ocean_globe::scene::frame::Frame;
 use ocean_globe::scene::settings::Settings;
 use ocean_globe::scene::view::camera::Camera;
@@ -97,4 +97,41 @@ fn no_sheet_is_deeper_than_the_way_to_the_water() {
     let near = Asked { grazing: 0.0, distance: 5.0, ..AT_SEA };
     let most = driven(STORM, 1_000_000, near).iter().map(|[gust, sheet]| sheet / gust).fold(0.0, f32::max);
     assert!((most / (SPRAY * 5.0) - 1.0).abs() < 1e-4, "{most}");
+}
+
+const ON_CRESTS: &str = "#import driven_spray
+@group(2) @binding(0) var<storage, read> asked: array<vec2f>;
+@group(2) @binding(1) var<storage, read_write> found: array<vec2f>;
+@compute @workgroup_size(64)
+fn lie(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    found[id.x] = spray_on_crests(vec2f(1.0), asked[id.x].x, asked[id.x].y);
+}";
+
+#[test]
+fn spray_lies_on_crests_and_there_is_as_much_of_it() {
+    let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
+    let mut frame =
+        Frame::new(&Settings::default(), &Camera::from_degrees(10.0, -30.0, 10.0, 0.0, 0.0), 1.7e9, [64; 2]);
+    frame.uniform.whitecaps = STORM;
+    let (layouts, groups) = lace_groups(&gpu, &frame);
+    let kernel = Kernel::<1>::new(&gpu, &shader::composed(ON_CRESTS, ""), "lie", &layouts.each_ref());
+    const HEIGHTS: usize = 1000;
+    for kept in [1.0, 0.5, 0.0] {
+        // The height of the water is normal; pixels show `kept` of it.
+        let height = |k: usize| [quantile((k as f64 + 0.5) / HEIGHTS as f64), kept];
+        let asked: Vec<[f32; 2]> = (0..HEIGHTS).map(height).collect();
+        let [found] = kernel.run::<_, [f32; 2]>(&gpu, &groups.each_ref(), &asked);
+        let [near, sheet] = [0, 1].map(|part| found.iter().map(|f| f64::from(f[part])).sum::<f64>() / HEIGHTS as f64);
+        let crest = f64::from(found[HEIGHTS * 9 / 10][1] / found[HEIGHTS / 10][1]);
+        println!("{kept} of the height: {near:.4} and {sheet:.4} in the mean, crests {crest:.2} times troughs");
+        // Heights of more than three deviations, of which there are few, count as three.
+        assert!((near - 1.0).abs() < 0.01 && (sheet - 1.0).abs() < 0.02, "{near} {sheet}");
+        // Tenths of the water lie over and under 1.28 deviations.
+        assert!((crest - (2.0 * 1.28 * 0.7 * f64::from(kept)).exp()).abs() < 0.05 * crest, "{crest}");
+    }
+}
+
+fn quantile(share: f64) -> f32 {
+    lace::quantile(share) as f32
 }

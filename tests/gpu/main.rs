@@ -16,6 +16,7 @@ mod far_sea;
 mod fft;
 mod foam_coverage;
 mod foam_crests;
+mod foam_fronts;
 mod foam_history;
 mod foam_lace;
 mod foam_map;
