@@ -32,6 +32,7 @@ const OVERHANGS: f32 = 1.0;       // and by how much wider the front of what bre
 const FRESH = vec2f(0.38, 0.95);
 const FRONT_STEEPER: f32 = 1.5;
 const FRONT_AT: f32 = 0.42;
+const FRONTS_IN = vec2f(0.8, 3.0);   // significant wave heights at which none are, and all: crests of small waves break over less than the map tells apart, metres
 // Its face is darker than its top, which the sky lights from all sides: by how much, and deviations of its level over which.
 const FRONT_FACE: f32 = 0.3;
 const FRONT_FACE_RISES: f32 = 1.6;
@@ -221,7 +222,9 @@ fn ragged(at: vec2f) -> vec2f {
 }
 
 // How far foam of which so much is young has just been made.
-fn freshness(shares: vec2f) -> f32 { return smoothstep(FRESH.x, FRESH.y, shares.y / max(shares.x, 1e-3)); }
+fn freshness(shares: vec2f) -> f32 {
+    return smoothstep(FRESH.x, FRESH.y, shares.y / max(shares.x, 1e-3)) * smoothstep(FRONTS_IN.x, FRONTS_IN.y, frame.wave_height);
+}
 
 // A share as the front of what breaks has it.
 fn fronted(share: f32, fresh: f32) -> f32 {
