@@ -73,15 +73,18 @@ fn reef_depth(reef: Reef, d: Metres, plain: Metres, trusted: f32, far: Metres) -
     let outside = min(max(plain, min(REEFS_GOES_ON * out, far * (1.0 - trusted))), fore);
     let across = d / max(reef.crest - reef_flat(reef), 1.0);
     let channel = mix(REEFS_CHANNEL.y, REEFS_CHANNEL.x, smoothstep(REEFS_CHANNEL_WIDE.x, REEFS_CHANNEL_WIDE.y, reef.crest));
-    let rises = smoothstep(REEFS_LAGOON.y, 1.0, across);
     let bed = REEFS_FRINGE + max(channel - REEFS_FRINGE, 0.0) * smoothstep(REEFS_LAGOON.x, REEFS_LAGOON.y, across);
-    let built = mix(select(mix(bed, crest, rises), outside, out > 0.0), bed, reef_enclosed(reef, d));
+    let inside = mix(bed, crest, smoothstep(REEFS_LAGOON.y, 1.0, across));
+    // Between two shores it goes on as a lagoon, in front of others as the open sea.
+    let enclosed = reef_enclosed(reef, d);
+    let lowest = max(channel, crest) + REEFS_OPEN * (1.0 - enclosed) / max(enclosed, 1e-3);
+    let built = select(inside, min(outside, lowest), out > 0.0);
     return mix(plain, built, reef_begun(reef) * smoothstep(REEFS_BEACH.x, REEFS_BEACH.y, d));
 }
 
 // What is left of the waves' height.
 fn reef_waves(reef: Reef, d: Metres) -> f32 {
-    let behind = max(smoothstep(0.0, REEFS_CALMED * max(reef_flat(reef), 1.0), reef.crest - d), reef_enclosed(reef, d));
+    let behind = smoothstep(0.0, REEFS_CALMED * max(reef_flat(reef), 1.0), reef.crest - d);
     let by_pass = smoothstep(REEFS_BY_PASS.y, REEFS_BY_PASS.x, reef.pass_way);
     let passes = by_pass * by_pass * smoothstep(REEFS_PASS_CREST.x, REEFS_PASS_CREST.y, reef.crest);
     return 1.0 - (1.0 - REEFS_COMES_OVER) * behind * (1.0 - 0.5 * passes) * (1.0 - in_pass(reef)) * reef_begun(reef);
@@ -93,6 +96,5 @@ fn reef_cover(reef: Reef, d: Metres) -> vec2f {
     let flat = reef_flat(reef);
     let grown = smoothstep(-1.1 * flat, -0.5 * flat, out) * smoothstep(REEFS_CORALS_TO, 0.3 * REEFS_CORALS_TO, out) * (1.0 - in_pass(reef));
     let begun = reef_begun(reef);
-    let enclosed = reef_enclosed(reef, d);
-    return begun * vec2f(grown * smoothstep(40.0, 120.0, reef.crest) * (1.0 - enclosed), max(smoothstep(REEFS_CORALS_TO, 0.0, out), enclosed));
+    return begun * vec2f(grown * smoothstep(40.0, 120.0, reef.crest), max(smoothstep(REEFS_CORALS_TO, 0.0, out), reef_enclosed(reef, d)));
 }

@@ -54,20 +54,22 @@ pub const FRINGE_M: f64 = 1.6;
 /// Parts of the way from the shore to the flat between which that falls to the channel, and from the second to the flat the bed rises again.
 pub const LAGOON: [f64; 2] = [0.12, 0.45];
 /// How steeply the fore reef begins to fall, and over which way, metres, it is as much deeper as that way's cube.
-pub const FORE: [f64; 2] = [0.05, 70.0];
+pub const FORE: [f64; 2] = [0.05, 50.0];
 /// How steeply it goes on, where the data have the bed less deep.
 pub const GOES_ON: f64 = 0.35;
 /// From the shore between which the beach goes over into the reef, metres.
 pub const BEACH_M: [f64; 2] = [5.0, 60.0];
 /// Shares of a reef between which the shore's own profile gives way to it.
 pub const BEGINS: [f64; 2] = [0.02, 0.3];
-/// Level of the water tiles whose mean distance to the shore tells waters between two shores, where there is no crest but a lagoon's bed: it is less
-/// than the place's own.
+/// Level of the water tiles whose mean distance to the shore tells waters between two shores, which are no deeper than a lagoon: it is less than the
+/// place's own.
 pub const WIDE_LEVEL: u8 = 6;
 /// So much less where that begins, and is, metres.
-pub const ENCLOSED_M: [f64; 2] = [60.0, 260.0];
+pub const ENCLOSED_M: [f64; 2] = [40.0, 240.0];
 /// Between these distances from the shore there are no longer any, metres: bays are not enclosed.
 pub const ENCLOSED_TO_M: [f64; 2] = [1_100.0, 1_700.0];
+/// How much deeper than a lagoon the bed may be where it is half enclosed, metres.
+pub const OPEN_M: f64 = 40.0;
 /// What of the waves' height comes over it, and how near to passes they are higher, metres.
 pub const COMES_OVER: f64 = 0.12;
 /// Part of the flat over which they break.
@@ -162,17 +164,19 @@ impl Reef {
         let across = d / (self.crest_m - self.flat_m()).max(1.0);
         let channel_m = CHANNEL_M[1]
             + (CHANNEL_M[0] - CHANNEL_M[1]) * smoothstep(CHANNEL_WIDE_M[0], CHANNEL_WIDE_M[1], self.crest_m);
-        let (rises, enclosed) = (smoothstep(LAGOON[1], 1.0, across), self.enclosed(d));
         let bed_m = FRINGE_M + (channel_m - FRINGE_M).max(0.0) * smoothstep(LAGOON[0], LAGOON[1], across);
-        let built_m = if out > 0.0 { outside_m } else { bed_m + (crest_m - bed_m) * rises };
-        let made_m = built_m + (bed_m - built_m) * enclosed;
+        let inside_m = bed_m + (crest_m - bed_m) * smoothstep(LAGOON[1], 1.0, across);
+        // Between two shores it goes on as a lagoon, in front of others as the open sea.
+        let enclosed = self.enclosed(d);
+        let floor_m = channel_m.max(crest_m) + OPEN_M * (1.0 - enclosed) / enclosed.max(1e-3);
+        let made_m = if out > 0.0 { outside_m.min(floor_m) } else { inside_m };
         let is = smoothstep(BEGINS[0], BEGINS[1], self.share) * smoothstep(BEACH_M[0], BEACH_M[1], d);
         plain_m + (made_m - plain_m) * is
     }
 
     /// What is left of the waves' height `d` metres from the shore.
     pub fn waves_left(&self, d: f64) -> f64 {
-        let behind = smoothstep(0.0, CALMED * self.flat_m().max(1.0), self.crest_m - d).max(self.enclosed(d));
+        let behind = smoothstep(0.0, CALMED * self.flat_m().max(1.0), self.crest_m - d);
         let by_pass = 1.0 - smoothstep(BY_PASS_M[0], BY_PASS_M[1], self.pass_m);
         let passes = by_pass * by_pass * smoothstep(PASS_CREST_M[0], PASS_CREST_M[1], self.crest_m);
         1.0 - (1.0 - COMES_OVER)

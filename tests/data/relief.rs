@@ -265,12 +265,12 @@ fn no_border_of_tiles_or_maps_shows() {
     }
 }
 
-/// Depths each 50 m from a place on the way to a bearing, degrees, as far as 4 km off the shore.
+/// Depths each 40 m from a place on the way to a bearing, degrees, as far as 4 km off the shore.
 fn transect(world: &mut World, [lat_deg, lon_deg]: [f64; 2], bearing_deg: f64) -> Vec<(f64, f64, f64)> {
     let (sin, cos) = bearing_deg.to_radians().sin_cos();
     (0..200)
         .filter_map(|i| {
-            let away = 50.0 * f64::from(i) / 111_195.0;
+            let away = 40.0 * f64::from(i) / 111_195.0;
             let (lat, lon) = (lat_deg + away * cos, lon_deg + away * sin / lat_deg.to_radians().cos());
             let sample = world.sample_blocking(lat.to_radians(), lon.to_radians()).unwrap();
             let shore_m = sample.shore_distance_m.filter(|shore_m| (0.0..4_000.0).contains(shore_m))?;
@@ -287,16 +287,16 @@ fn reefs_lie_awash_before_high_islands_of_warm_seas() {
     };
     // Tahiti, Moorea, Rarotonga, Mauritius, each to several sides; some lines run through passes.
     let reefs = before(&[
-        [-17.62, -149.45, 0.0],
-        [-17.65, -149.35, 60.0],
-        [-17.65, -149.5, 270.0],
-        [-17.7, -149.5, 225.0],
-        [-17.8, -149.2, 135.0],
-        [-17.53, -149.83, 320.0],
-        [-17.53, -149.83, 180.0],
-        [-21.23, -159.78, 0.0],
-        [-21.23, -159.78, 180.0],
-        [-20.3, 57.55, 90.0],
+        [-17.54, -149.45, 0.0],
+        [-17.6, -149.33, 60.0],
+        [-17.63, -149.6, 270.0],
+        [-17.74, -149.53, 200.0],
+        [-17.5, -149.83, 0.0],
+        [-17.58, -149.83, 180.0],
+        [-21.22, -159.78, 0.0],
+        [-21.25, -159.78, 180.0],
+        [-20.25, 57.75, 90.0],
+        [-20.45, 57.33, 240.0],
     ]);
     let awash =
         |line: &Vec<(f64, f64, f64)>| line.iter().any(|&(shore_m, depth_m, _)| shore_m > 150.0 && depth_m < 2.0);

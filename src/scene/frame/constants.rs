@@ -96,6 +96,7 @@ fn reef_numbers() -> String {
         ("REEFS_GOES_ON", reefs::GOES_ON),
         ("REEFS_COMES_OVER", reefs::COMES_OVER),
         ("REEFS_CALMED", reefs::CALMED),
+        ("REEFS_OPEN", reefs::OPEN_M),
     ];
     let ranges = [
         ("REEFS_WARM", reefs::WARM),
