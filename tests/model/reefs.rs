@@ -27,8 +27,12 @@ fn crests_lie_awash_before_lagoons_and_fall_to_the_deep_sea() {
         .iter()
         .map(|line| line.iter().rposition(|[depth_m, _]| *depth_m < 2.0).map_or(0.0, |i| 20.0 * i as f64))
         .collect();
-    // Farther in it is the shore's own.
-    let has_crest: Vec<_> = crests.iter().zip(&lines).filter(|(crest, _)| **crest > 150.0).collect();
+    // Nearer to the shore it is the shore's own; and in passes waves come in over deep water, what is shallow there is the lagoon's shore.
+    let has_crest: Vec<_> = crests
+        .iter()
+        .zip(&lines)
+        .filter(|(crest, line)| **crest > 150.0 && line[(**crest / 20.0) as usize][1] > 0.9)
+        .collect();
     let share = has_crest.len() as f64 / lines.len() as f64;
     let mean_m = has_crest.iter().map(|(crest, _)| **crest).sum::<f64>() / has_crest.len() as f64;
     let farthest_m = crests.iter().fold(0.0f64, |a, &b| a.max(b));
