@@ -28,11 +28,11 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     // Under a flat surface the ray ends where the net asks for it.
     let surface = vec3f(reach + down.xy / down.z * depth, -frame.eye_altitude);
     let cell = caustic_stretch(grid) / (0.5 * CAUSTIC_CELLS);
-    var sea = local_sea(point);
+    var sea = behind_reefs(local_sea(point), ground.waves);
     var trains = vec2f(0.0);
     let footprint = max(cell.x, cell.y);
     if SURF {
-        let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, length(surface), footprint);
+        let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, length(surface), footprint);
         sea = left_by_trains(sea, waves.share);
         trains = waves.slope;
     }

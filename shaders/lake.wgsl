@@ -23,7 +23,7 @@ struct Vertex {
     @location(1) moved: vec3f,
     @location(2) height: f32,          // over it
     @location(3) ahead: vec2f,         // `beyond`
-    @location(4) grid: vec3f,          // `grid_at`
+    @location(4) grid: vec4f,          // `grid_at`
 }
 
 @vertex

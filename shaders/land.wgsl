@@ -21,7 +21,7 @@ struct Vertex {
     @location(2) @interpolate(flat) tile: vec4u,       // square, level, x, y
     @location(3) country: vec4f,                       // `Country`, as it stands
     @location(4) ways: vec4f,
-    @location(7) grid: vec3f,                          // `grid_at`
+    @location(7) grid: vec4f,                          // `grid_at`
     @location(6) shadow: vec3f,                        // of clouds, `shadow_of_vertex`
     @location(5) shore: vec2f,                         // height of the waves that come in to it, and how far they run up
     @location(8) kind: vec4f,                          // `ShoreKind`, as it stands; and how steep drowned hills are
@@ -75,7 +75,7 @@ fn vertex(in: Tile) -> Vertex {
     var ground = ground_amid(point, sin_lat, spacing, grid);
     if !ground.is_ocean { ground.elevation = beside_lake(ground, point); }
     // Pixels between vertices farther than this from a shore have none within its beaches' width.
-    let kind = shore_kind(point, sin_lat, grid, ground.ocean_shore, KIND_REACH + 1.5 * spacing);
+    let kind = shore_kind(point, sin_lat, grid.xyz, ground.ocean_shore, KIND_REACH + 1.5 * spacing);
     var c = NO_COUNTRY;
     var made = NO_RELIEF;
     // Tiles with relief have cells of at most so many pixels: what they hold of it depends on the distance, not on the tile.
@@ -121,7 +121,7 @@ fn chords_show(distance: Metres) -> bool { return distance * frame.pixel_angle >
 fn hides_sea(distance: Metres, far_hit: Metres) -> bool { return far_hit < 0.0 || distance < nearest_bed(far_hit); }
 
 
-fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec3f, kind: vec3f) -> Place {
+fn place(distance: Metres, dn: vec3f, point: MapPoint, part: vec2f, grid: vec4f, kind: vec3f) -> Place {
     let sin_lat = frame.sin_lat + sin_lat_delta(dn);
     var ground = ground_amid(point, sin_lat, max(distance * frame.pixel_angle, 1.0), grid);
     // A coarse picture sees lakes where their triangles are; of wide pixels, whose own ray tells the place, it takes the data's height for

@@ -86,8 +86,14 @@ const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows a
 const APART_FROM: Metres = 12.0;
 const SPARSE = 0.09;                 // how wide the edges are between which meadows thin out, seen from above; of the noise
 
-// Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them.
-fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, footprint: Metres) -> vec3f {
+const CORAL_SAND = vec3f(0.50, 0.47, 0.37);
+const RUBBLE = vec3f(0.30, 0.265, 0.19);       // between corals
+const CORALS = vec3f(0.115, 0.100, 0.058);     // on a reef's crest and flat, with algae
+const HEADS = 0.11;                  // how many more heads of coral stand in a lagoon than on other sand, of the noise
+const FLATS = vec2f(-0.45, 0.10);    // of the noise, between which corals cover more and more of a flat
+
+// Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them; `corals` as in world.wgsl.
+fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, corals: vec2f, footprint: Metres) -> vec3f {
     // Beyond the polar circles nothing grows there.
     if point.square != MERCATOR || depth > BARE_FROM { return sand; }
     let place = pattern_place(point, vec2f(0.0));
@@ -96,7 +102,9 @@ fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, foo
     let regional = 0.9 * smoothstep(ALIKE_TO, APART_FROM, footprint) * vec2f(map_noise(point.at, 13u, 51u) - 0.5, map_noise(point.at, 15u, 52u) - 0.5);
     let noise = meadow_and_reef(place, wide, fine);
     let hidden = WIDE * (1.0 - wide);
-    let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth, deepest);
+    let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x + HEADS * corals.y, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth, deepest);
     let tone = 1.0 + 0.22 * fine.x + 0.3 * wide.z * bed_noise(place, 64.0, 45u).z;
-    return mix(mix(sand * tone, SEAGRASS, cover.grass), REEF, cover.rock);
+    let usual = mix(mix(sand * tone, SEAGRASS, cover.grass * (1.0 - 0.6 * corals.y)), REEF, cover.rock);
+    let edge = vec2f(-1.0, 1.0) * BED_NOISE_DEVIATION * length(hidden);
+    return mix(mix(usual, RUBBLE * tone, 0.7 * corals.x), CORALS * (1.0 + 0.5 * fine.x), corals.x * smoothstep(FLATS.x + edge.x, FLATS.y + edge.y, noise.y));
 }

@@ -40,6 +40,7 @@ const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 
 const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sand
 const SHORE_SAND = vec2f(30.0, 80.0);   // from the shore, m, between which the sand of the bed loses its mottles and its grain
+const CORAL_SAND_TO: Metres = 60.0; // depth to which the waves carry a reef's sand
 const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
 const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, more and more the sea's own; the water over it wets it
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
@@ -218,11 +219,12 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     if is_bed {
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - towers) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - towers) * (1.0 - ground.corals.y) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);
-            albedo = covered_bed(point, albedo, -ground.elevation, meadows, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
+            albedo = mix(albedo, MOIST_SAND * CORAL_SAND, ground.corals.y * smoothstep(SHORE_SAND.x, SHORE_SAND.y, ground.ocean_shore) * smoothstep(CORAL_SAND_TO, 0.0, -ground.elevation));
+            albedo = covered_bed(point, albedo, -ground.elevation, meadows, ground.corals, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
         }
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);

@@ -34,8 +34,9 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         sea = local_water(point, select(OF_OCEAN, OF_LAKE, LAKE));
         let ground = ground_at(point, frame.sin_lat + sin_lat_delta(up - vec3f(0.0, 0.0, 1.0)), max(spacing, 20.0));
         is_ocean = ground.is_ocean;
+        if !LAKE { sea = behind_reefs(sea, ground.waves); }
         if SURF {
-            let waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, spacing);
+            let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, spacing);
             sea = left_by_trains(sea, waves.share);
             rise = waves.rise;
         }

@@ -125,12 +125,15 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
 
     let depth = ocean_depth(ground, footprint, share);
     let alpha = water_alpha(depth);
-    var sea = local_sea(point);
+    var sea = behind_reefs(local_sea(point), ground.waves);
     // Of all waves, those of shores too.
     let height = held_share(depth, sea.height) * sea.height;
     var waves = NO_SHORE_WAVES;
+    let incoming = in.incoming * ground.waves;
+    // Surf on a coral reef is off the shore, but at its own.
+    let surf_shore = ground.ocean_shore * (1.0 - ground.corals.x);
     if SURF {
-        waves = shore_waves_at(point, -ground.elevation, ground.ocean_shore, ground.face, distance, footprint);
+        waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, footprint);
         sea = left_by_trains(sea, waves.share);
     }
     var ripples = 1.0;
@@ -171,7 +174,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
             seen = on_front(seen, shares.y, lies.slope, fresh);
             shares = standing(vec2f(fronted(shares.x, fresh), fronted(shares.y, fresh)), grazing);
             if SURF {
-                let surf = surf_at(waves, ground.ocean_shore, depth, in.incoming, to_shore, seen.level.z);
+                let surf = surf_at(waves, surf_shore, depth, incoming, to_shore, seen.level.z);
                 let white = at_waterline(ground.ocean_shore, seen.level.z) * surf.xy;
                 seen = in_surf(seen, foam_at, width, white.x / max(white.x + shares.x, 1e-4));
                 shares = max(shares, white);
@@ -186,7 +189,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         if FINE { foam.slope += whitened * roller_slope(lies.slope); }
     } else {
         var share = whitened * share_from_afar(in.height, sea.height, foam_footprint);
-        if SURF { share = max(share, surf_at(waves, ground.ocean_shore, depth, in.incoming, to_shore, 0.0).x); }
+        if SURF { share = max(share, surf_at(waves, surf_shore, depth, incoming, to_shore, 0.0).x); }
         foam = mean_foam(share, mean_dense_from(share, FINE), height, FINE);
     }
     let clear = daylight_at(dot(frame.light, up));

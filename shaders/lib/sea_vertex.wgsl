@@ -13,7 +13,7 @@ struct Vertex {
     @location(2) height: f32,
     @location(4) incoming: f32,        // height of the waves that break on shores
     @location(5) shadow: vec3f,        // of clouds, `shadow_of_vertex`
-    @location(6) grid: vec3f,          // `grid_at`
+    @location(6) grid: vec4f,          // `grid_at`
     @location(3) ahead: vec2f,         // the way to the water beyond, level, and how much higher that is; see `crest_light`
 }
 

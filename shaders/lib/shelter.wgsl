@@ -75,6 +75,9 @@ fn local_water(point: MapPoint, water: u32) -> LocalSea {
     return LocalSea(all, select(1.0, sqrt(dot(all * all, frame.cascade_shares)), frame.wave_height > 0.0));
 }
 
+// Where reefs leave less of the waves.
+fn behind_reefs(sea: LocalSea, left: f32) -> LocalSea { return LocalSea(sea.gains * vec4f(vec3f(left), 1.0), sea.height * left); }
+
 fn local_sea(point: MapPoint) -> LocalSea { return local_water(point, OF_OCEAN); }
 
 fn cascade_slopes(c: u32) -> vec2f {

@@ -120,12 +120,14 @@ fn group_of(single: ptr<function, SingleTrains>, along: vec2f, unwanted: bool) -
     return sqrt(energy * exponential * exponential * exponential);
 }
 
-fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint: Metres, unwanted: bool) -> AllTrains {
+// `plain`: the depth that there is but for coral reefs, of which the windows hold what these add to the phase.
+fn trains_at(point: MapPoint, depth: Metres, plain: Metres, shore: Metres, face: f32, footprint: Metres, unwanted: bool) -> AllTrains {
     let place = among_windows(point);
     let is_alone = !any(place.beyond > vec2f(0.0));
     let h = max(depth, SHALLOWEST);
+    let usual = max(plain, SHALLOWEST);
     // Of the way to the shore, a plane beach's part and that of Dean's profile.
-    let plane = min(h / face, max(shore, 0.0));
+    let plane = min(usual / face, max(shore, 0.0));
     let curved = max(shore, 0.0) - plane;
     var all = AllTrains(NO_TRAINS, 0.0, 0.0);
     var single: SingleTrains;
@@ -135,8 +137,9 @@ fn trains_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, footprint
         let about = bitcast<vec2f>(shore_words[1u + 2u * t]);
         let now = bitcast<f32>(shore_words[2u + 2u * t].x);
         let u = about.x * about.x * h / GRAVITY;
-        let regular = -(plane * PHASE_ADDED * hyperbolic(2.0 * sqrt(u) / PHASE_ADDED)
-            + curved * 1.5 * PHASE_ADDED_BY_DEAN * (1.0 - exp(-u / PHASE_ADDED_BY_DEAN)) * inverseSqrt(u)) / h;
+        let v = about.x * about.x * usual / GRAVITY;
+        let regular = -(plane * PHASE_ADDED * hyperbolic(2.0 * sqrt(v) / PHASE_ADDED)
+            + curved * 1.5 * PHASE_ADDED_BY_DEAN * (1.0 - exp(-v / PHASE_ADDED_BY_DEAN)) * inverseSqrt(v)) / usual;
         var wave = vec2f(0.0);
         var way = vec2f(0.0);
         var energy = 0.0;
@@ -192,17 +195,17 @@ const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up
 const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heights in deep water; as src/model/surf.rs
 
 // The waves of the trains where a footprint shows them.
-// `face`: the slope of the beach.
-fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, distance: Metres, footprint: Metres) -> ShoreWaves {
+// `face`: the slope of the beach; `plain`: the depth but for coral reefs; `left`: what these leave of the waves' height.
+fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shore: Metres, face: f32, distance: Metres, footprint: Metres) -> ShoreWaves {
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
-    let all = trains_at(point, depth, shore, face, footprint, wanted <= 0.0);
+    let all = trains_at(point, depth, plain, shore, face, footprint, wanted <= 0.0);
     let omega = bitcast<f32>(shore_words[0].x);
     let h = max(depth, SHALLOWEST);
     let k_deep = omega * omega / GRAVITY;
     let y = depth_number(k_deep * h);
     let size = length(all.sum.z);
     let share = wanted * all.found;
-    let deep = 2.0 * size * sqrt(wanted);
+    let deep = 2.0 * size * left * sqrt(wanted);
     let plane = min(h / face, max(shore, 0.0));
     let curved = max(shore, 0.0) - plane;
     let falls = h / max(plane + 1.5 * curved, 1.0);
@@ -211,7 +214,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     let grown = deep * shoaling(y);
     let height = select(grown, min(grown, own.index * own.depth * broken_height(h / own.depth, own.slope, own.index)), h < own.depth);
     let bore = own.bore;
-    let white = breaking_of(2.0 * all.group * sqrt(wanted), omega, h, falls, dean).bore;
+    let white = breaking_of(2.0 * all.group * left * sqrt(wanted), omega, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
     let shape = wave_shape(height, y, h, bore, frame.chop);
     // The shape begins with a rise, the sum with a crest.
@@ -226,7 +229,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, shore: Metres, face: f32, dist
     // A crest that begins to break is white from its top on, a bore from a quarter up its face, which is steep and comes before the sum's crest.
     let ahead = mix(TOP_AHEAD, FACE_AHEAD, white);
     let since = theta + ahead + select(0.0, WHOLE_TURN, theta < -ahead);
-    return ShoreWaves(half * surface.x, tilt, white * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * all.sum.hidden);
+    return ShoreWaves(half * surface.x, tilt, white * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * left * left * all.sum.hidden);
 }
 
 // What the trains leave of the sea at a place: of the first and the second patch, and of the height of all.

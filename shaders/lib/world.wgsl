@@ -1,6 +1,6 @@
 // What the maps say of a place: the ground there, shaped to its shores, and how far these are.
 #import map_texels
-#import shore_shape
+#import reefs
 
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
 // a sea whose surface is at a distance, and what is not is its bed.
@@ -17,6 +17,9 @@ struct Ground {
     is_ocean: bool,
     is_lake: bool,          // or a river
     by_river: bool,         // whether the nearest inland water is one
+    plain: Metres,          // its elevation but for coral reefs
+    corals: vec2f,          // how far they cover it, and how far it is of their sand
+    waves: f32,             // what reefs leave of the waves' height
 }
 
 // Metres on the ground per metre of the level-0 texel grid, at a point of a square.
@@ -41,15 +44,20 @@ fn level_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> u32 {
     return level_for(point, footprint, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)));
 }
 
-// What it has around a place. It is smooth over kilometres: vertices look it up, pixels interpolate it.
-fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
-    return grid_of(texels_around(false, point, pages_at(point, min(level_at(point, sin_lat, footprint), grid_level())).terrain));
+const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which coral reefs are no longer seen, metres
+
+// What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.
+fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
+    let wide = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
+    let mean = bilinear(false, point, wide).x;
+    return vec4f(grid_of(texels_around(false, point, pages_at(point, min(level_at(point, sin_lat, footprint), grid_level())).terrain)),
+        reef_share(point, sin_lat, mean, texel_metres(point, f32(wide.level), sin_lat)));
 }
 
 // The ground at a place, around which the grid has so much.
-fn ground_amid(point: MapPoint, sin_lat: f32, footprint: Metres, grid: vec3f) -> Ground {
+fn ground_amid(point: MapPoint, sin_lat: f32, footprint: Metres, grid: vec4f) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
-    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid);
+    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid.xyz, grid.w * smoothstep(REEFS_SEEN.y, REEFS_SEEN.x, footprint));
 }
 
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
@@ -60,10 +68,10 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
 fn ground_from_afar(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
     let cells = texels_around(false, point, found.terrain);
-    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells));
+    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells), 0.0);
 }
 
-fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f) -> Ground {
+fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f, reefs: f32) -> Ground {
     let coast = coast_of(grid, sin_lat);
     let water = shores_around(point, water_page);
     let texel = texel_metres(point, f32(water_page.level), sin_lat);
@@ -72,6 +80,14 @@ fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres,
     if water_page.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, elevation <= 0.0), -1e6);
     }
-    return Ground(shaped_elevation(elevation, coast, shores.x), shores.x, shores.y, water.rise, texel, bed_steeper() * coast.m, coast.cliff,
-        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, water.told.z > 0.5);
+    let plain = shaped_elevation(elevation, coast, shores.x);
+    let trusted = min(frame.terrain_resolution, BED_WIDEST);
+    let none = (reefs <= 0.0) | (shores.x <= 0.0) | (shores.x > trusted);
+    let wide_page = pages_at(point, REEFS_WIDE_LEVEL).water;
+    let wide = wide_shore(point, wide_page, none) * texel_metres(point, f32(wide_page.level), sin_lat);
+    let reef = reef_at(reefs, point.at, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)), wide, none);
+    let built = -reef_depth(reef, shores.x, -plain, smoothstep(0.1 * trusted, trusted, shores.x), coast.far);
+    let cover = select(reef_cover(reef, shores.x), vec2f(0.0), none);
+    return Ground(select(built, plain, none), shores.x, shores.y, water.rise, texel, bed_steeper() * coast.m, coast.cliff,
+        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, water.told.z > 0.5, plain, cover, select(reef_waves(reef, shores.x), 1.0, none));
 }

@@ -11,6 +11,7 @@ use super::{SharedTexels, TileTexels};
 use crate::error::Result;
 use crate::model::earth;
 use crate::model::lakes::{self, Stands};
+use crate::model::reefs::{self, Reef};
 use crate::model::relief::{self, MESH_FOOTPRINT_M, relief};
 use crate::model::rugged::{self, Around, Shores};
 use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
@@ -24,7 +25,7 @@ pub struct Sample {
     pub elevation_m: f64,
     /// What the data say of it, shaped so that it meets the sharp coast, and lakes whose level is known at that.
     pub elevation_measured_m: f64,
-    /// What is made up for the data's coarseness, see [`crate::model::relief`]; on dry land alone.
+    /// What is made up for the data's coarseness: on dry land, see [`crate::model::relief`], and of coral reefs, see [`crate::model::reefs`].
     pub relief_made_m: f64,
     /// Depth of the resting ocean, metres; `None` outside of it (the depth of lakes is not known).
     pub depth_m: Option<f64>,
@@ -33,6 +34,9 @@ pub struct Sample {
     /// Distance to the ocean's shore, metres, positive in the ocean. `None` where there is no water tile, and where it is
     /// more than eight texels of the coarsest tile (1,200 km at the equator, 100 km at the poles).
     pub shore_distance_m: Option<f64>,
+    /// What coral reefs leave of the waves' height.
+    #[serde(skip)]
+    pub waves_left: f64,
     /// Slope of the ocean's beaches there, by nature and the user's wish.
     #[serde(skip)]
     pub beach: f64,
@@ -55,7 +59,8 @@ pub struct Sample {
 impl Sample {
     /// The ocean by its shore, if it is one.
     pub fn shallows(&self) -> Option<Shallows> {
-        Some(Shallows { h: self.depth_m?, d: self.shore_distance_m?, m: self.beach })
+        let place = Shallows::new(self.depth_m?, self.shore_distance_m?, self.beach);
+        Some(Shallows { plain_h: -self.elevation_measured_m, left: self.waves_left, ..place })
     }
 }
 
@@ -102,6 +107,7 @@ pub fn sample(
             depth_m: (raw_m < 0.0).then_some(-raw_m),
             class,
             shore_distance_m: None,
+            waves_left: 1.0,
             beach: terrain.beach_slope,
             lake_distance_m: None,
             lake: None,
@@ -134,6 +140,16 @@ pub fn sample(
     } else {
         0.0
     };
+    let (mut relief_made_m, mut waves_left) = (relief_made_m, 1.0);
+    let coast = Coast::new(grid, terrain.resolution_m, libm::sin(lat));
+    if class == WaterClass::Ocean && projection == Projection::Mercator && rugged::is_coarse(terrain.resolution_m) {
+        let share = map.reef_share(terrain.deepest, lat)?;
+        let (at, cos_lat) = ([point.u, point.v], libm::cos(lat));
+        let wide_m = map.splined_shores(reefs::WIDE_LEVEL.min(water_level))?.unwrap_or_default()[0];
+        let (depth_m, left) =
+            Reef::depth_on(share, at, cos_lat, [ocean_m, wide_m], -measured_m, terrain.resolution_m, coast.far_m);
+        (relief_made_m, waves_left) = (-depth_m - measured_m, left);
+    }
     let elevation_m = elevation_measured_m + relief_made_m;
     let is_inland = matches!(class, WaterClass::Lake | WaterClass::River);
     let at_level = stands.filter(|water| is_inland && elevation_m == water.level_m);
@@ -144,7 +160,8 @@ pub fn sample(
         depth_m: (class == WaterClass::Ocean).then_some(-elevation_m),
         class,
         shore_distance_m: map.known(ocean_m, lat),
-        beach: Coast::new(grid, terrain.resolution_m, libm::sin(lat)).beach(terrain.beach_slope),
+        waves_left,
+        beach: coast.beach(terrain.beach_slope),
         lake_distance_m: map.known(lake_m, lat),
         lake: at_level.and_then(|lake| lake.name),
         inland_level_m: at_level.map(|water| water.level_m),
@@ -231,6 +248,14 @@ impl Map<'_, '_> {
     fn known(&self, distance_m: f64, lat: f64) -> Option<f64> {
         let reach_m = (SATURATION_TEXELS - 0.1) * texel_size_m(self.projection, 0, lat);
         (distance_m.abs() < reach_m).then_some(distance_m)
+    }
+
+    /// How far there is a coral reef about the position.
+    fn reef_share(&mut self, deepest: u8, lat: f64) -> Result<f64> {
+        let z = rugged::ISLAND_LEVEL.min(deepest);
+        let [mean_m, _] = self.bilinear(Layer::Terrain, z, self.at)?.unwrap_or_default();
+        let texel_m = texel_size_m(self.projection, z, lat);
+        Ok(reefs::share([self.at.0, self.at.1], libm::sin(lat), mean_m, texel_m))
     }
 
     /// The made relief of dry ground at the position, metres; see [`crate::model::rugged`].

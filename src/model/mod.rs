@@ -26,6 +26,7 @@ pub mod overcast;
 pub mod perlin;
 pub mod quadrature;
 pub mod ragged_shore;
+pub mod reefs;
 pub mod relief;
 pub mod rough_water;
 pub mod rugged;

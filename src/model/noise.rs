@@ -42,3 +42,30 @@ pub fn hash(p: [u32; 3]) -> u32 {
     [x, y, z] = [x, y, z].map(|word| word ^ (word >> 16));
     x.wrapping_add(y.wrapping_mul(z))
 }
+
+/// Gradient noise of square cells of two to a power units of the map, its mean none, and how it rises right and down, a cell: `map_noise_rise` of
+/// `shaders/lib/noise.wgsl`.
+pub fn map_noise(at: [u32; 2], bits: u32, salt: u32) -> [f64; 3] {
+    let [x, y] = at.map(|x| f64::from(x & ((1 << bits) - 1)) / f64::from(1u32 << bits));
+    let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+    let fades = |t: f64| 30.0 * t * t * (t * (t - 2.0) + 1.0);
+    let mask = u32::MAX >> bits;
+    // Height of the corner's plane, and its rise.
+    let corner = |i: u32, j: u32| {
+        let eighth = hash([((at[0] >> bits) + i) & mask, ((at[1] >> bits) + j) & mask, salt]) >> 29;
+        let way = if eighth >= 4 { -1.0 } else { 1.0 };
+        let [a, b] = if eighth & 2 == 0 { [way, 0.0] } else { [0.0, way] };
+        let slanted = 0.5f64.sqrt();
+        let [a, b] = if eighth & 1 == 0 { [a, b] } else { [slanted * (a - b), slanted * (a + b)] };
+        [a * (x - f64::from(i)) + b * (y - f64::from(j)), a, b]
+    };
+    let mix = |a: f64, b: f64, t: f64| a + t * (b - a);
+    let corners = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
+    let [top, bottom] = [0, 2].map(|row| mix(corners[row][0], corners[row + 1][0], fade(x)));
+    let across = mix(corners[1][0] - corners[0][0], corners[3][0] - corners[2][0], fade(y));
+    let rise = |axis: usize| {
+        let [top, bottom] = [0, 2].map(|row| mix(corners[row][axis], corners[row + 1][axis], fade(x)));
+        mix(top, bottom, fade(y))
+    };
+    [mix(top, bottom, fade(y)), rise(1) + fades(x) * across, rise(2) + fades(y) * (bottom - top)].map(|part| 0.8 * part)
+}

@@ -167,7 +167,7 @@ pub fn fade(sin_lat: f64, shores: Shores) -> f64 {
 }
 
 /// Data finer than this, metres, have the mountains' own ridges and valleys, and get none made up. Ours: half of the broadest that are.
-const MEASURED_M: f64 = 2_000.0;
+pub const MEASURED_M: f64 = 2_000.0;
 
 /// Whether elevations of a resolution (metres; 0: not known) leave relief to be made up.
 pub fn is_coarse(resolution_m: f64) -> bool {

@@ -40,9 +40,23 @@ pub struct Shallows {
     pub d: f64,
     /// Slope of the beach.
     pub m: f64,
+    /// Depth, m, that there is but for a coral reef ([`super::reefs`]).
+    pub plain_h: f64,
+    /// What such a reef leaves of the waves' height.
+    pub left: f64,
 }
 
 impl Shallows {
+    /// Where there is no reef.
+    pub fn new(h: f64, d: f64, m: f64) -> Self {
+        Self { h, d, m, plain_h: h, left: 1.0 }
+    }
+
+    /// The same place without its reef.
+    fn plain(self) -> Self {
+        Self::new(self.plain_h, self.d, self.m)
+    }
+
     /// Which parts of the distance are a plane beach's and Dean's profile's: d = h/m + (h/A)^1.5.
     fn parts(self) -> [f64; 2] {
         let plane = (self.h.max(SHALLOWEST_M) / self.m).min(self.d.max(0.0));
@@ -63,8 +77,9 @@ impl Shallows {
 }
 
 /// The part of the arrival phase that grows without bounds in its slope towards the shore, radians: over the bed of
-/// [`Coast`](super::sea_bed::Coast), that of the waves there less that of deep water, within what is smooth.
+/// [`Coast`](super::sea_bed::Coast), that of the waves there less that of deep water, within what is smooth. It knows of no reef: what that adds is bounded.
 pub fn regular(omega: f64, place: Shallows) -> f64 {
+    let place = place.plain();
     let h = place.h.max(SHALLOWEST_M);
     let ([plane, curved], u) = (place.parts(), omega * omega * h / GRAVITY);
     let of_plane = ADDED * libm::tanh(2.0 * libm::sqrt(u) / ADDED);
@@ -85,6 +100,8 @@ pub struct Bed {
     pub shore_m: Vec<f64>,
     /// Slope of the beach.
     pub face: Vec<f64>,
+    /// Depth but for coral reefs, m.
+    pub plain_m: Vec<f64>,
 }
 
 /// Bytes of vectors' elements.
@@ -95,7 +112,7 @@ macro_rules! bytes {
 impl Bed {
     /// Bytes that it holds.
     pub fn bytes(&self) -> usize {
-        bytes!(self.step_m, self.depth_m, self.shore_m, self.face)
+        bytes!(self.step_m, self.depth_m, self.shore_m, self.face, self.plain_m)
     }
 
     fn is_wet(&self, at: usize) -> bool {
@@ -103,7 +120,8 @@ impl Bed {
     }
 
     fn at(&self, at: usize) -> Shallows {
-        Shallows { h: self.depth_m[at], d: self.shore_m[at], m: self.face[at] }
+        let place = Shallows::new(self.depth_m[at], self.shore_m[at], self.face[at]);
+        Shallows { plain_h: self.plain_m[at], ..place }
     }
 
     fn wavenumber(&self, omega: f64, at: usize) -> f64 {
@@ -119,7 +137,7 @@ impl Bed {
         }];
         let width = [[i > 0, i + 1 < n], [j > 0, j + 1 < n]]
             .map(|sides| sides.iter().filter(|side| **side).count() as f64 * step);
-        let (h, d) = (self.depth_m[at].max(SHALLOWEST_M), self.shore_m[at]);
+        let (h, d) = (self.plain_m[at].max(SHALLOWEST_M), self.shore_m[at]);
         if d > 2.5 * step {
             let found = |at: usize| regular(omega, self.at(at));
             return [0, 1].map(|axis| (found(pairs[axis].1) - found(pairs[axis].0)) / width[axis]);
@@ -128,7 +146,7 @@ impl Bed {
         let root = libm::sqrt(k * h);
         // dF/dh over dd/dh, of both parts.
         let falling = 1.0 / libm::cosh(2.0 * root / ADDED);
-        let [plane, curved] = self.at(at).parts();
+        let [plane, curved] = self.at(at).plain().parts();
         let by_depth = plane * falling * falling + 1.5 * curved * libm::exp(-k * h / ADDED_BY_DEAN);
         let slope = -k / root * by_depth / (plane + 1.5 * curved);
         let rise = [0, 1].map(|axis: usize| (self.shore_m[pairs[axis].1] - self.shore_m[pairs[axis].0]) / width[axis]);

@@ -195,7 +195,7 @@ impl TrainSum {
     /// frequency, `chop` the sea's.
     pub fn wave(&self, omega: f64, place: Shallows, energy: f64, chop: f64) -> SurfWave {
         let size = libm::hypot(self.z[0], self.z[1]);
-        let deep = 2.0 * size * libm::sqrt(energy);
+        let deep = 2.0 * size * place.left * libm::sqrt(energy);
         let Grown { h, k, height, breaks, similarity } = Grown::new(omega, place, deep);
         let bore = bore(h / breaks.max(1e-3), similarity);
         let turn = self.z.map(|part| part / size.max(1e-6));

@@ -6,7 +6,7 @@
 //!
 //! Places are those of Mercator's map: there are no towers beyond [`LATITUDES`]. `shaders/lib/towers.wgsl` is the same in single precision.
 
-use super::noise::hash;
+use super::noise::{hash, map_noise};
 use super::sea_bed::smoothstep;
 
 /// A cell is two to this power units of the map wide: 306 m at the equator.
@@ -39,29 +39,11 @@ pub fn share(sin_lat: f64) -> f64 {
     1.0 - smoothstep(LATITUDES[0], LATITUDES[1], sin_lat.abs())
 }
 
-/// Gradient noise of cells of two to a power units, its mean none: `map_noise_rise` of `shaders/lib/noise.wgsl`.
-fn noise([u, v]: [u32; 2], bits: u32, salt: u32) -> f64 {
-    let part = |x: u32| f64::from(x & ((1 << bits) - 1)) / f64::from(1u32 << bits);
-    let (x, y) = (part(u), part(v));
-    let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    let mask = u32::MAX >> bits;
-    let corner = |i: u32, j: u32| {
-        let eighth = hash([((u >> bits) + i) & mask, ((v >> bits) + j) & mask, salt]) >> 29;
-        let way = if eighth >= 4 { -1.0 } else { 1.0 };
-        let [a, b] = if eighth & 2 == 0 { [way, 0.0] } else { [0.0, way] };
-        let slanted = 0.5f64.sqrt();
-        let [a, b] = if eighth & 1 == 0 { [a, b] } else { [slanted * (a - b), slanted * (a + b)] };
-        a * (x - f64::from(i)) + b * (y - f64::from(j))
-    };
-    let mix = |a: f64, b: f64, t: f64| a + t * (b - a);
-    0.8 * mix(mix(corner(0, 0), corner(1, 0), fade(x)), mix(corner(0, 1), corner(1, 1), fade(x)), fade(y))
-}
-
 /// How high towers stand at a place of Mercator's map, in units of 2^-32 of its side: 0 to 1, and a little more where two of the highest meet.
 pub fn height(at: [u32; 2]) -> f64 {
     let mask = u32::MAX >> CELL_BITS;
     let part = |x: u32| f64::from(x & ((1 << CELL_BITS) - 1)) / f64::from(1u32 << CELL_BITS);
-    let rough = ROUGH[0] * noise(at, CELL_BITS - 1, 91) + ROUGH[1] * noise(at, CELL_BITS - 3, 92);
+    let rough = ROUGH[0] * map_noise(at, CELL_BITS - 1, 91)[0] + ROUGH[1] * map_noise(at, CELL_BITS - 3, 92)[0];
     let mix = |[from, to]: [f64; 2], t: f64| from + t * (to - from);
     let mut sum = 0.0;
     for k in 0..9u32 {

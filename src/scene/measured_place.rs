@@ -14,7 +14,7 @@ use crate::model::surf;
 use crate::model::waves;
 use crate::scene::link::fragment::parse_state;
 use crate::scene::sea::Seas;
-use crate::scene::sea::shelter::of_patches;
+use crate::scene::sea::shelter::{behind_reefs, of_patches};
 use crate::scene::sea::shores::Shores;
 use crate::scene::sea::surface_sample::{SurfaceSample, height_here_m};
 use crate::scene::time::SceneTime;
@@ -98,6 +98,7 @@ impl MeasuredPlaces {
             let Some((gains, peak_s)) = self.waves(world, state, (Water::Ocean, lat, lon), look)? else {
                 return Ok(None);
             };
+            let gains = behind_reefs(gains, sample.waves_left);
             let has_trains = sample.shallows().is_some() && state.settings.quality.is_fine();
             if has_trains && !self.shores.prepare_at(world, (&tables, state.settings.wind_from()), lat, lon) {
                 return Ok(None);

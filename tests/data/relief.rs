@@ -264,3 +264,59 @@ fn no_border_of_tiles_or_maps_shows() {
         }
     }
 }
+
+/// Depths each 40 m from a place on the way to a bearing, degrees, as far as 4 km off the shore.
+fn transect(world: &mut World, [lat_deg, lon_deg]: [f64; 2], bearing_deg: f64) -> Vec<(f64, f64, f64)> {
+    let (sin, cos) = bearing_deg.to_radians().sin_cos();
+    (0..200)
+        .filter_map(|i| {
+            let away = 40.0 * f64::from(i) / 111_195.0;
+            let (lat, lon) = (lat_deg + away * cos, lon_deg + away * sin / lat_deg.to_radians().cos());
+            let sample = world.sample_blocking(lat.to_radians(), lon.to_radians()).unwrap();
+            let shore_m = sample.shore_distance_m.filter(|shore_m| (0.0..4_000.0).contains(shore_m))?;
+            Some((shore_m, sample.depth_m?, sample.relief_made_m))
+        })
+        .collect()
+}
+
+#[test]
+fn reefs_lie_awash_before_high_islands_of_warm_seas() {
+    let mut world = World::open(DATA);
+    let mut before = |places: &[[f64; 3]]| -> Vec<_> {
+        places.iter().map(|&[lat, lon, bearing]| transect(&mut world, [lat, lon], bearing)).collect()
+    };
+    // Tahiti, Moorea, Rarotonga, Mauritius, each to several sides; some lines run through passes.
+    let reefs = before(&[
+        [-17.54, -149.45, 0.0],
+        [-17.6, -149.33, 60.0],
+        [-17.63, -149.6, 270.0],
+        [-17.74, -149.53, 200.0],
+        [-17.5, -149.83, 0.0],
+        [-17.58, -149.83, 180.0],
+        [-21.22, -159.78, 0.0],
+        [-21.25, -159.78, 180.0],
+        [-20.25, 57.75, 90.0],
+        [-20.45, 57.33, 240.0],
+    ]);
+    let awash =
+        |line: &Vec<(f64, f64, f64)>| line.iter().any(|&(shore_m, depth_m, _)| shore_m > 150.0 && depth_m < 2.0);
+    let deep =
+        |line: &Vec<(f64, f64, f64)>| line.iter().any(|&(shore_m, depth_m, _)| shore_m < 3_000.0 && depth_m > 60.0);
+    let [crests, deeps] =
+        [reefs.iter().filter(|line| awash(line)).count(), reefs.iter().filter(|line| deep(line)).count()];
+    println!("{crests} of {} lines have a crest, {deeps} are deep beyond", reefs.len());
+    assert!(crests >= 7 && deeps >= 8, "{crests} {deeps}");
+    // Madeira, Pico, Isabela of the Galapagos, Santiago of Cape Verde, Gran Canaria, Key Largo, Andros, Halong.
+    let none = before(&[
+        [32.75, -17.0, 0.0],
+        [38.45, -28.3, 180.0],
+        [-0.4, -91.1, 270.0],
+        [15.1, -23.6, 90.0],
+        [28.0, -15.6, 180.0],
+        [25.1, -80.4, 135.0],
+        [24.7, -78.0, 90.0],
+        [20.9, 107.1, 135.0],
+    ]);
+    assert!(none.iter().flatten().count() > 100);
+    assert!(none.iter().flatten().all(|(_, _, made_m)| *made_m == 0.0));
+}

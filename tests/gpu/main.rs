@@ -30,6 +30,7 @@ mod places;
 mod plants;
 mod pool;
 mod precision;
+mod reefs;
 mod shaders;
 mod shelter;
 mod shore_trains;

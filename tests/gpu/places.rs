@@ -6,8 +6,8 @@ use glam::{DVec3, Vec2, Vec3};
 use crate::kernel;
 
 const KERNEL: &str = "#import places
-struct Asked { rest: vec3f, height: f32, grid: vec3f, incoming: f32, ahead: vec2f, ways: vec2f, pixel: vec2u, unused: vec2u }
-struct Found { rest: vec3f, height: f32, moved: vec3f, incoming: f32, grid: vec3f, unused: f32, ahead: vec2f, ways: vec2f, own: vec3f, own_height: f32 }
+struct Asked { rest: vec3f, height: f32, grid: vec3f, incoming: f32, ahead: vec2f, ways: vec2f, pixel: vec2u, reefs: f32, unused: u32 }
+struct Found { rest: vec3f, height: f32, moved: vec3f, incoming: f32, grid: vec3f, reefs: f32, ahead: vec2f, ways: vec2f, own: vec3f, own_height: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 @group(2) @binding(1) var<storage, read_write> found: array<Found>;
 @compute @workgroup_size(64)
@@ -22,8 +22,8 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     // Where waves are smaller than pixels none moves the mesh.
     let height = select(a.height, 0.0, waves_are_pixels(length(moved)));
     let rest = moved - height * up;
-    let seen = unpacked(packed(Patch(rest, moved, height, a.incoming, vec3f(0.0), a.grid, a.ahead, a.ways.x, a.ways.y)), a.pixel);
-    found[id.x] = Found(seen.rest - rest, seen.height, seen.moved, seen.incoming, seen.grid, 0.0, seen.ahead, vec2f(seen.right, seen.down), moved, height);
+    let seen = unpacked(packed(Patch(rest, moved, height, a.incoming, vec3f(0.0), vec4f(a.grid, a.reefs), a.ahead, a.ways.x, a.ways.y)), a.pixel);
+    found[id.x] = Found(seen.rest - rest, seen.height, seen.moved, seen.incoming, seen.grid.xyz, seen.grid.w, seen.ahead, vec2f(seen.right, seen.down), moved, height);
 }";
 
 #[repr(C)]
@@ -36,7 +36,8 @@ struct Asked {
     ahead: Vec2,
     ways: Vec2,
     pixel: [u32; 2],
-    unused: [u32; 2],
+    reefs: f32,
+    unused: u32,
 }
 
 #[repr(C)]
@@ -47,7 +48,7 @@ struct Found {
     moved: Vec3,
     incoming: f32,
     grid: Vec3,
-    unused: f32,
+    reefs: f32,
     ahead: Vec2,
     ways: Vec2,
     own: Vec3,
@@ -74,7 +75,8 @@ fn a_pixel_keeps_what_the_mesh_has_there() {
                 ahead: Vec2::new(0.4 + 3.0 * part(6), 4.0 * part(7) - 2.0),
                 ways: Vec2::new(1e-3 * away, 1e-3 * away * 10f32.powf(3.0 * part(8))),
                 pixel: [(64.0 * part(9)) as u32, (64.0 * part(10)) as u32],
-                unused: [0; 2],
+                reefs: part(11),
+                unused: 0,
             }
         })
         .collect();
@@ -91,12 +93,13 @@ fn a_pixel_keeps_what_the_mesh_has_there() {
         assert!(moved.length() <= 4.0 * SINGLE * way, "{moved} of {way} m");
         close("height", found.height, found.own_height, 8.0 * SINGLE * way + 1e-5);
         close("incoming", found.incoming, asked.incoming, HALF * f64::from(asked.incoming) + 1e-7);
+        close("reefs", found.reefs, asked.reefs, 0.5 / 255.0 + 1e-6);
         for axis in 0..3 {
             close("grid", found.grid[axis], asked.grid[axis], HALF * f64::from(asked.grid[axis].abs()) + 1e-7);
         }
         for axis in 0..2 {
             close("ahead", found.ahead[axis], asked.ahead[axis], HALF * f64::from(asked.ahead[axis].abs()) + 1e-7);
-            // Logarithms to the base 2, up to 20, in half steps of up to 2^-7: so much of the way.
+            // Logarithms to the base 2, in half steps of up to 2^-7: so much of the way.
             let share = 2f64.powf(1.0 / 128.0) - 1.0;
             close("way", found.ways[axis], asked.ways[axis], share * f64::from(asked.ways[axis]));
         }

@@ -108,7 +108,7 @@ fn windows_take_no_more_than_64_mb() {
 }
 
 const TRAINS: &str = "#import shore_trains
-struct Asked { at: vec2u, depth: f32, shore: f32, face: f32, unused: f32 }
+struct Asked { at: vec2u, depth: f32, plain: f32, left: f32, shore: f32, face: f32, unused: f32 }
 @group(2) @binding(0) var<storage, read> asked: array<Asked>;
 struct Told { waves: vec4f, left: vec4f }
 @group(2) @binding(1) var<storage, read_write> found: array<Told>;
@@ -116,7 +116,7 @@ struct Told { waves: vec4f, left: vec4f }
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.shore, a.face, 0.0, 0.0);
+    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.plain, a.left, a.shore, a.face, 0.0, 0.0);
     let left = left_by_trains(OPEN_SEA, waves.share);
     found[id.x] = Told(vec4f(waves.rise, waves.slope, waves.share), vec4f(left.gains.xyz, left.height));
 }";
@@ -126,6 +126,8 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
 struct Asked {
     at: [u32; 2],
     depth: f32,
+    plain: f32,
+    left: f32,
     shore: f32,
     face: f32,
     unused: f32,
@@ -133,8 +135,8 @@ struct Asked {
 
 fn asked_at(&(lat, lon, water): &(f64, f64, Shallows)) -> Asked {
     let point = MapPoint::on(Projection::Mercator, lat, lon);
-    let [depth, shore, face] = [water.h, water.d, water.m].map(|x| x as f32);
-    Asked { at: [point.u, point.v], depth, shore, face, unused: 0.0 }
+    let [depth, plain, left, shore, face] = [water.h, water.plain_h, water.left, water.d, water.m].map(|x| x as f32);
+    Asked { at: [point.u, point.v], depth, plain, left, shore, face, unused: 0.0 }
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod moon;
 mod noise;
 mod optics;
 mod oracle_sea;
+mod reefs;
 mod rough_water;
 mod same_sea;
 mod sea_bed;

@@ -11,9 +11,10 @@ use crate::beach;
 /// A bed from depth and distance to the shore at (x, y), metres east and south of the north-western corner.
 fn bed(side: usize, step: f64, at: impl Fn(f64, f64) -> (f64, f64)) -> Bed {
     let nodes = (0..side * side).map(|i| at((i % side) as f64 * step, (i / side) as f64 * step));
-    let (depth_m, shore_m) = nodes.unzip();
+    let (depth_m, shore_m): (Vec<_>, Vec<_>) = nodes.unzip();
     // All of it is a plane beach's.
-    Bed { side, step_m: vec![step; side], depth_m, shore_m, face: vec![1e-9; side * side] }
+    let plain_m = depth_m.clone();
+    Bed { side, step_m: vec![step; side], depth_m, plain_m, shore_m, face: vec![1e-9; side * side] }
 }
 
 /// The whole phase at a place, as who looks has it: R between nodes, and the regular part of the place.
@@ -24,7 +25,7 @@ fn phase(bed: &Bed, rest: &[f64], omega: f64, x: f64, y: f64, (h, d): (f64, f64)
     let at = |i: usize, j: usize| rest[j * bed.side + i];
     let top = at(i, j) * (1.0 - f) + at(i + 1, j) * f;
     let bottom = at(i, j + 1) * (1.0 - f) + at(i + 1, j + 1) * f;
-    top * (1.0 - g) + bottom * g + regular(omega, Shallows { h, d, m: 1e-9 })
+    top * (1.0 - g) + bottom * g + regular(omega, Shallows::new(h, d, 1e-9))
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn crests_come_to_deans_beach_at_their_own_pace() {
     let coast = Coast::new(Grid::level(-50.0), 9_277.0, 0.0);
     let (side, step) = (128, 40.0);
     let shore_y = step * (f64::from(side) - 6.4);
-    let water = |y: f64| Shallows { h: coast.profile_m((shore_y - y).max(0.0)), d: shore_y - y, m: coast.m };
+    let water = |y: f64| Shallows::new(coast.profile_m((shore_y - y).max(0.0)), shore_y - y, coast.m);
     let wet =
         |_x: f64, y: f64| if y < shore_y { (water(y).h, shore_y - y) } else { (-0.07 * (y - shore_y), shore_y - y) };
     let bed = Bed { face: vec![coast.m; (side * side) as usize], ..bed(side as usize, step, wet) };

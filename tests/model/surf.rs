@@ -108,7 +108,7 @@ fn decay_error(m: f64, period: f64, hrms0: f64) -> f64 {
 #[test]
 fn the_significant_height_on_a_beach_is_what_the_depth_allows() {
     for (m, period, hrms0) in [(0.02, 10.0, 1.4), (0.03, 7.0, 1.2), (0.05, 12.0, 2.0)] {
-        let height = |h: f64| surf::significant_height(TAU / period, Shallows { h, d: h / m, m }, hrms0);
+        let height = |h: f64| surf::significant_height(TAU / period, Shallows::new(h, h / m, m), hrms0);
         let known = battjes_janssen::heights(|_| m, period, hrms0);
         let errors = known.iter().map(|&[h, hrms]| (height(h) / (2f64.sqrt() * hrms) - 1.0).powi(2));
         let error = (errors.sum::<f64>() / known.len() as f64).sqrt();

@@ -6,6 +6,8 @@ use crate::data::exposure::Found;
 use crate::data::tile::{Layer, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 use crate::data::{SharedTexels, TileTexels};
+use crate::model::reefs::{self, Reef};
+use crate::model::rugged;
 use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
 use crate::model::shore_waves::Bed;
 
@@ -38,6 +40,7 @@ impl World {
         let mut water = Vec::with_capacity(9);
         let mut terrain = Vec::with_capacity(9);
         let mut coarse = Vec::with_capacity(9);
+        let (mut wide, mut wide_water) = (Vec::with_capacity(9), Vec::with_capacity(9));
         let coarse_level = grid_level(resolution_m).min(terrain_level);
         for (dy, dx) in (0..3).flat_map(|dy| (0..3).map(move |dx| (dy, dx))) {
             let (column, row) = ((x + across + dx - 1) % across, (y + dy).saturating_sub(1).min(across - 1));
@@ -46,6 +49,8 @@ impl World {
                 (Layer::Water, water_level, &mut water),
                 (Layer::Terrain, terrain_level, &mut terrain),
                 (Layer::Terrain, coarse_level, &mut coarse),
+                (Layer::Terrain, rugged::ISLAND_LEVEL.min(terrain_level), &mut wide),
+                (Layer::Water, reefs::WIDE_LEVEL.min(water_level), &mut wide_water),
             ] {
                 match self.served(layer, id.ancestor(level.min(SHORE_LEVEL))?) {
                     Served::By(tile, texels) => found.push(Some((tile, texels))),
@@ -60,7 +65,7 @@ impl World {
         let side = f64::from(across);
         let node = |i: usize| (i as f64 * 4.0) / TILE_TEXELS as f64 - 0.5;
         let (mut step_m, mut depth_m, mut shore_m) = (Vec::new(), Vec::new(), Vec::new());
-        let mut face = Vec::new();
+        let (mut face, mut plain_m) = (Vec::new(), Vec::new());
         for j in 0..SHORE_SIDE {
             let map_y = ((f64::from(y) + node(j)) / side).clamp(0.0, 1.0);
             let (lat, _) = lat_lon_from_map(map, 0.5, map_y);
@@ -84,11 +89,26 @@ impl World {
                     Grid::between(values, at)
                 });
                 shore_m.push(shore);
-                face.push(Coast::new(grid, resolution_m, sin_lat).beach(self.beach_slope));
-                depth_m.push(-shaped_on(elevation, grid, shore, [resolution_m, self.beach_slope], sin_lat));
+                let coast = Coast::new(grid, resolution_m, sin_lat);
+                face.push(coast.beach(self.beach_slope));
+                let plain = -shaped_on(elevation, grid, shore, [resolution_m, self.beach_slope], sin_lat);
+                plain_m.push(plain);
+                let share =
+                    wide[at].as_ref().filter(|_| rugged::is_coarse(resolution_m)).map_or(0.0, |(id, texels)| {
+                        let (values, at) = around(*id, texels, map_x, map_y);
+                        reefs::share([map_x, map_y], sin_lat, between(values, at), texel_size_m(map, id.z, lat))
+                    });
+                let wide_m = wide_water[at].as_ref().map_or(shore, |(id, texels)| {
+                    let (distances, at) = around(*id, texels, map_x, map_y);
+                    between(distances, at) * texel_size_m(map, id.z, lat)
+                });
+                let point = [map_x, map_y].map(|x| (x.rem_euclid(1.0) * 4_294_967_296.0) as u32);
+                depth_m.push(
+                    Reef::depth_on(share, point, libm::cos(lat), [shore, wide_m], plain, resolution_m, coast.far_m).0,
+                );
             }
         }
-        Some(Bed { side: SHORE_SIDE, step_m, depth_m, shore_m, face })
+        Some(Bed { side: SHORE_SIDE, step_m, depth_m, shore_m, face, plain_m })
     }
 
     /// The tile, or its nearest ancestor that there is. What is not at hand is asked for, without an answer to anybody.

@@ -2,7 +2,7 @@
 
 use super::uniform::{MIRRORS_LAND, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
 use crate::model::earth::WGS84;
-use crate::model::{clouds, lakes, relief, rugged, sea_bed, sheltered_sea, spray, towers};
+use crate::model::{clouds, lakes, reefs, relief, rugged, sea_bed, sheltered_sea, spray, towers};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
 
@@ -49,6 +49,7 @@ pub fn shared_constants() -> String {
         + &clouds_field()
         + &relief_numbers()
         + &bed_numbers()
+        + &reef_numbers()
         + &shores::shared_constants()
 }
 
@@ -79,6 +80,54 @@ fn bed_numbers() -> String {
         ("FACE_RISES", sea_bed::FACE[1]),
     ];
     numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n")).concat()
+}
+
+/// Those of coral reefs.
+fn reef_numbers() -> String {
+    let numbers = [
+        ("EARTH_ROUND", std::f64::consts::TAU * WGS84.a),
+        ("REEFS_MEASURED", rugged::MEASURED_M),
+        ("REEFS_CREST", reefs::CREST_M),
+        ("REEFS_FARTHEST", reefs::FARTHEST_M),
+        ("REEFS_FLAT", reefs::FLAT_M),
+        ("REEFS_FLAT_MOST", reefs::FLAT_MOST),
+        ("REEFS_CREST_ROUGH", reefs::CREST_ROUGH_M),
+        ("REEFS_FRINGE", reefs::FRINGE_M),
+        ("REEFS_GOES_ON", reefs::GOES_ON),
+        ("REEFS_COMES_OVER", reefs::COMES_OVER),
+        ("REEFS_CALMED", reefs::CALMED),
+        ("REEFS_OPEN", reefs::OPEN_M),
+    ];
+    let ranges = [
+        ("REEFS_WARM", reefs::WARM),
+        ("REEFS_COLD_ENDS", reefs::COLD_ENDS),
+        ("REEFS_CREST_VARIES", reefs::CREST_VARIES),
+        ("REEFS_CREST_DEPTH", reefs::CREST_DEPTH_M),
+        ("REEFS_PASS", reefs::PASS_M),
+        ("REEFS_PASS_CREST", reefs::PASS_CREST_M),
+        ("REEFS_CHANNEL", reefs::CHANNEL_M),
+        ("REEFS_CHANNEL_WIDE", reefs::CHANNEL_WIDE_M),
+        ("REEFS_LAGOON", reefs::LAGOON),
+        ("REEFS_FORE", reefs::FORE),
+        ("REEFS_BEACH", reefs::BEACH_M),
+        ("REEFS_BEGINS", reefs::BEGINS),
+        ("REEFS_BY_PASS", reefs::BY_PASS_M),
+        ("REEFS_ENCLOSED", reefs::ENCLOSED_M),
+        ("REEFS_ENCLOSED_TO", reefs::ENCLOSED_TO_M),
+    ];
+    let cold = [("REEFS_COLD_FIRST", reefs::COLD[0]), ("REEFS_COLD_SECOND", reefs::COLD[1])];
+    let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
+    let ranges = ranges.map(|(name, [from, to])| format!("const {name} = vec2f({from:?}, {to:?});\n"));
+    let cold =
+        cold.map(|(name, [x, y, wide, high])| format!("const {name} = vec4f({x:?}, {y:?}, {wide:?}, {high:?});\n"));
+    let [wide, fine, pass] = reefs::BITS;
+    numbers.concat()
+        + &ranges.concat()
+        + &cold.concat()
+        + &format!(
+            "const REEFS_BITS = vec3u({wide}u, {fine}u, {pass}u);\nconst REEFS_WIDE_LEVEL = {}u;\n",
+            reefs::WIDE_LEVEL
+        )
 }
 
 /// Those of the relief.

@@ -50,6 +50,11 @@ pub fn of_patches([a, b, c]: Gains) -> [f64; CASCADES] {
     [a, b, c, 1.0]
 }
 
+/// Gains where coral reefs leave so much of the waves' height.
+pub fn behind_reefs([a, b, c, d]: [f64; CASCADES], left: f64) -> [f64; CASCADES] {
+    [left * a, left * b, left * c, d]
+}
+
 /// A window of one level's nodes as shaders know it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Window {

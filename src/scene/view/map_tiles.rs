@@ -8,6 +8,7 @@ use glam::DVec3;
 use crate::data::streaming::{Range, Streaming};
 use crate::data::tile::{Layer, POLAR_LATITUDE_DEG, Projection, TILE_TEXELS, TileId, lat_lon_from_map, texel_size_m};
 use crate::model::earth::{self, Geodetic, WGS84};
+use crate::model::reefs;
 use crate::model::relief::WIDEST_M;
 use crate::model::rugged;
 use crate::model::sea_bed::{BERM_M, Coast, Grid, LEAST_M, USUAL_SLOPE, grid_level, trusted_m};
@@ -51,6 +52,8 @@ const HILLS_M: f64 = 2.0 * rugged::DROWNED_HILLS_M[0];
 const DROWNED_TO_M: f64 = 12_000.0;
 /// Walls that are seen against the sea or the sky are no farther inland, metres.
 const WALLS_TO_M: f64 = 2_000.0;
+/// No farther out of a reef's crest than this the bed is less deep than data have it, metres.
+const REEF_WIDE_M: f64 = 600.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -205,6 +208,18 @@ fn rugged(id: TileId, tiles: &Streaming) -> Option<(f64, bool)> {
     (is_raised || range_m > FLAT_M).then_some((if is_raised { range_m.max(RUGGED_M) } else { range_m }, has_walls))
 }
 
+/// Whether there may be a coral reef in a tile of the ocean (`model::reefs`).
+fn may_have_reef(id: TileId, tiles: &Streaming) -> bool {
+    let side = 2f64.powi(-i32::from(id.z));
+    let lat = |y: u32| lat_lon_from_map(id.projection, 0.5, f64::from(id.y + y) * side).0;
+    let [south, north] = [lat(1), lat(0)];
+    let is_warm = id.projection == Projection::Mercator && south.max(0.0).max(-north).sin() < reefs::WARM[1];
+    let around = id.ancestor(AROUND).unwrap_or(id);
+    let is_deep = || tiles.elevations_m(around, around.z).is_none_or(|around| around.least < ISLAND_BED_M);
+    let is_near = || tiles.shore_m(id, id.z).is_none_or(|shore_m| shore_m.least < reefs::FARTHEST_M + REEF_WIDE_M);
+    is_warm && tiles.is_coarse() && is_near() && is_deep()
+}
+
 /// Whether a tile has a strip of land by the ocean that waves may run up.
 pub fn has_beach(id: TileId, tiles: &Streaming) -> bool {
     let shore_m = tiles.shore_m(id, id.z);
@@ -215,7 +230,7 @@ impl Hiding {
     /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
     fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
         let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
-        if shore_m <= 0.0 {
+        if shore_m <= 0.0 || may_have_reef(id, tiles) {
             return false;
         }
         let is_trusted = shore_m >= trusted_m(self.resolution_m);

@@ -93,7 +93,7 @@ impl Shores {
         let taken = self.taken_share(sea);
         let left = |taken: f64| libm::sqrt((1.0 - taken * share).max(0.0));
         // A wave is twice as high as the sum is long, whose square has the trains' energy for a mean.
-        let rms_deep_m = 2.0 * libm::sqrt(wanted * energy_m2);
+        let rms_deep_m = 2.0 * water.left * libm::sqrt(wanted * energy_m2);
         let patches = TAKEN.map(|part| left(part * part));
         (found > 0.0).then(|| ShoreWaves {
             wave: sum.wave(omega, water, wanted, sea.sea.chop),
