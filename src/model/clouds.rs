@@ -21,7 +21,7 @@ pub const ICE_M: f64 = 9_000.0;
 /// How long a weather lasts before the next has taken its place, seconds.
 const WEATHER_S: f64 = 3.0 * 86_400.0;
 /// Number of the weather of 1970's start: with it named views have about the clouds that their links ask for.
-const FIRST_WEATHER: i64 = 13_109;
+const FIRST_WEATHER: i64 = 15_167;
 /// Clouds go round the earth in this time, seconds, eastwards: 7.5 m/s at the equator.
 const ROUND_S: f64 = 5.343_336e6;
 /// Deviations by which no cover, or all of it, is as good as reached.
