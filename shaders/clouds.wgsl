@@ -53,7 +53,7 @@ const OVER_HORIZON = 0.0004;            // radians that are surely above it, by 
 const WIDE_PIXEL: Metres = 300.0;      // from here on a pixel is as wide as shadows are long, and nothing in the layer has a shape
 // Wide pixels hide gaps and thin parts: from so many metres on clouds are less dense in them, down to this share.
 const CLOUD_GAPS: Metres = 120.0;
-const CLOUD_LEAST = 0.1;
+const CLOUD_LEAST = 0.05;
 const CLOUD_THINNED = vec2f(0.8, 1.3);  // power of it: of heaps, of closed ones, through whose thin parts the sea shines
 const DECK_FROM = vec2f(40.0, 120.0);    // metres of a pixel from which and at which decks show how deep they are
 const DECK_WITHIN: Metres = 20000.0;    // of the way through the clouds, in whose middle decks are looked at
@@ -210,7 +210,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
             let mottled = exp(closed * clamp(MOTTLED * (level.x - weather.x) / (heaped(weather) + 0.5), -1.2, 0.7));
             // And what is low, more so in closed ones.
             let thick = depth * mix(1.0, 1.5 * top, wideness * mix(0.6, 1.0, closed));
-            let scatters = CLOUD_SCATTERS * mix(1.0, 0.6, closed) * mottled * pow(gaps, 0.3) * thick;
+            let scatters = CLOUD_SCATTERS * mix(1.0, 0.4, closed) * mottled * pow(gaps, 0.3) * thick;
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
             heap.above = max(closed_ahead, heap.above);
             // Closed clouds are level: they have the less of a low sun's light the lower it stands. So have wide pixels' clouds, of which all sides count.

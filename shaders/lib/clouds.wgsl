@@ -17,17 +17,17 @@ const CLOUD_SOFT = 0.035;           // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 // Share of the variance of all octaves before heaps, and of the first of heaps; of each octave of these, of the one before; and of what they are made of.
-const CLOUD_FIRST = 0.6196;
-const HEAPS_FIRST = 0.1667;
+const CLOUD_FIRST = 0.49;
+const HEAPS_FIRST = 0.2228;
 const HEAPS_FADE = 0.9;
 const BILLOW_FADE = 0.3;
 // Of each octave before heaps, of the one before: of ragged masses, of scattered clouds. The weather's levels tell where which are, a turn for so many.
-const CLOUD_FADES = vec2f(0.3, 2.0);
-const CLOUD_KINDS = vec2f(1.7, 3.1);
-// Octaves after the first are drawn out across this way: so wide, of their length, are cells along it. Which way they lie depends on the place.
+const CLOUD_FADES = vec2f(0.45, 1.3);
+const CLOUD_KINDS = vec2f(0.85, 1.55);
+// Octaves before heaps are drawn out across this way: so wide, of their length, are cells along it. Which way they lie depends on the place.
 const CLOUD_ACROSS = vec3f(0.48, -0.36, 0.8);
 const CLOUD_LONG = 0.4;
-const CLOUD_BENT = vec3f(0.3, -0.15, 0.24);   // cells by which each octave before heaps bends those after it
+const CLOUD_BENT = vec3f(0.06, -0.03, 0.05);   // cells by which each octave before heaps bends those after it
 // Cells of what heaps are made of are turned against those before: where all lie along the same axes, heaps are square.
 const CLOUD_TURN = mat3x3f(0.0, 0.8, 0.6, -0.8, 0.36, -0.48, -0.6, -0.48, 0.64);
 const CLOUD_OCTAVES = 9u;
@@ -70,7 +70,7 @@ fn cloud_weather(place: vec3f) -> vec2f {
 const CLOUD_CERTAIN = 3.5;
 
 // How much of the octaves there is, at least, and how much more, times a number that is evenly spread from 0 to 1: a mean square of about 1.
-const HEAPED = vec2f(0.38, 1.12);
+const HEAPED = vec2f(0.5, 0.92);
 // The ice clouds' level about its mean, by which that number goes: by its usual value and deviation.
 const HEAPED_BY = vec2f(-0.6, 0.77);
 
@@ -89,7 +89,7 @@ fn heaped_share(weather: vec2f) -> f32 { return normal_share((weather.y - frame.
 // `weather`: the levels of it there. As in lib/waves.wgsl, the loop ends at its foot.
 fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
     var sum = weather.x;
-    var turned = place;
+    var turned = drawn_out(place);
     var cell = CLOUD_WIDEST;
     let heaps = heaped(weather);
     let variance = CLOUD_VARIANCE * heaps * heaps;
@@ -103,7 +103,6 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
         sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         turned += select(vec3f(0.0), noise * cell * CLOUD_BENT, i < CLOUD_BILLOWS);
-        if i == 0u { turned = drawn_out(turned); }
         if i >= CLOUD_BILLOWS { turned = CLOUD_TURN * turned; }
         if i + 1u == CLOUD_BILLOWS { turned = place; }
         cell /= CLOUD_FINER;

@@ -14,9 +14,9 @@ const DECK_COLD = vec2f(0.5, 0.65);     // sines of the latitude from which cell
 const DECK_CELLED = vec2f(0.45, 0.9);   // kinds of clouds from which on there are cells, and from which there is nothing else
 const DECK_SMOOTH = vec2f(0.4, 1.0);   // how much of all but the first of the noise sheets have that are smooth, and that are not
 // Deviations of the logarithm of the depth, of the noise and of the cells.
-const DECK_PARTS = vec4f(0.45, 0.6, 0.5, 0.4);
-const DECK_CELL = 0.75;
-const DECK_CORES = vec2f(0.3, 0.5);    // by which it rises with the weather's level over the mean, and the less heaped they are
+const DECK_PARTS = vec4f(0.45, 0.4, 0.4, 0.4);
+const DECK_CELL = 0.35;
+const DECK_CORES = vec2f(0.7, 0.5);    // by which it rises with the weather's level over the mean, and the less heaped they are
 const DECK_MEAN = 1.2;
 
 // How deep a deck is at a place, of its mean; and by how much its cells rise a metre, along the axes of `place`. Its cells are round about jittered

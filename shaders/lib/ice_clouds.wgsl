@@ -10,7 +10,7 @@ const ICE_FIBROUS = 0.22;                       // variance of the logarithm of 
 // deviation above it, of what stands over them and of what the wind takes from there, and how far that is.
 const ANVIL_FROM = vec2f(0.9, 1.3);
 const ANVIL_TUFTED = vec2f(0.35, 0.25);
-const ANVIL_DEPTH = vec2f(5.0, 0.5);
+const ANVIL_DEPTH = vec2f(2.5, 0.5);
 const ANVIL_BLOWN: Metres = 90000.0;
 const ANVIL_LEFT = 0.35;
 const ANVIL_TORN = vec3f(9000.0, -14000.0, 12000.0);

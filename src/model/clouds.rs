@@ -13,13 +13,15 @@ pub const STORMS: usize = 28;
 /// Texels along a side of the octahedral map of the weather: 39 km in the mean.
 pub const MAP_TEXELS: u32 = 512;
 /// Variance of the field that the map does not hold, of one.
-pub const FINE_VARIANCE: f64 = 0.32;
+pub const FINE_VARIANCE: f64 = 0.24;
 /// Height of the base of water clouds, metres.
 pub const BASE_M: f64 = 900.0;
 /// Height of ice clouds, metres.
 pub const ICE_M: f64 = 9_000.0;
 /// How long a weather lasts before the next has taken its place, seconds.
 const WEATHER_S: f64 = 3.0 * 86_400.0;
+/// Number of the weather of 1970's start: with it named views have about the clouds that their links ask for.
+const FIRST_WEATHER: i64 = 15_167;
 /// Clouds go round the earth in this time, seconds, eastwards: 7.5 m/s at the equator.
 const ROUND_S: f64 = 5.343_336e6;
 /// Deviations by which no cover, or all of it, is as good as reached.
@@ -75,13 +77,13 @@ pub struct Weather {
 pub fn weather(unix_seconds: f64) -> Weather {
     let age = unix_seconds / WEATHER_S;
     let part = ((age - age.floor()) * 432.0).floor() / 432.0;
-    let number = (age.floor() as i64) as u32;
+    let number = (age.floor() as i64 + FIRST_WEATHER) as u32;
     let (sin, cos) = libm::sincos(part * FRAC_PI_2);
     Weather { numbers: [number, number.wrapping_add(1)], weights: [cos as f32, sin as f32] }
 }
 
-/// Storms of a weather: a unit vector in axes that drift with the clouds, and the angle by which it turns the clouds at its middle,
-/// radians, against the clock in the north.
+/// Storms of a weather: a unit vector in axes that drift with the clouds, and the storm's size, radians, against the clock in the north:
+/// less than zero in the south.
 pub fn storms(number: u32) -> [Vec4; STORMS] {
     let mut state = number.wrapping_mul(0x9e37_79b9) ^ 0x51ed_270b;
     let mut random = move || {
@@ -90,11 +92,15 @@ pub fn storms(number: u32) -> [Vec4; STORMS] {
         let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
         f64::from((word >> 22) ^ word) / f64::from(u32::MAX)
     };
+    let first = f64::from(number & 0xffff) * 0.377;
     std::array::from_fn(|index| {
         let side = if index % 2 == 0 { 1.0 } else { -1.0 };
         let lat = side * (34.0 + 32.0 * random()).to_radians();
-        let lon = TAU * random();
+        // Steps of the golden ratio: evenly about the earth, however many.
+        let lon = TAU * (first + (index / 2) as f64 * 0.618_034 + 0.07 * random());
         let at = DVec3::new(libm::cos(lat) * libm::cos(lon), libm::cos(lat) * libm::sin(lon), libm::sin(lat));
-        at.extend(side * (1.4 + 2.0 * random())).as_vec4()
+        // Small ones are many.
+        let share = random();
+        at.extend(side * (0.13 + 0.18 * share * share.sqrt())).as_vec4()
     })
 }
