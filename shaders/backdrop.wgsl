@@ -17,9 +17,11 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
     var own = scene_at(pixel);
     if !SMOOTH { return own; }
-    // Where the sea leaves a part of such a pixel, that shows what stands over it.
-    let above = scene_at(pixel - vec2i(0, 1));
-    if is_behind_sea(own) { own = above; }
+    // Where the sea leaves a part of such a pixel, that shows what stands over it, if that is for eyes.
+    if is_behind_sea(own) {
+        let above = scene_at(pixel - vec2i(0, 1));
+        own = select(above, own, is_behind_sea(above));
+    }
     let beside_it = beside(pixel);
     let other = scene_at(pixel + beside_it.out);
     return mix(own, other, select(beside_it.share, 0.0, is_behind_sea(other)));

@@ -4,7 +4,7 @@
 
 const TAU = 6.283185307179586;
 
-// Storms wind clouds up in logarithmic spirals, as their bands lie (H. Senn and H. Hiser 1959). Numbers of storms and fronts are ours.
+// Storms wind clouds up in logarithmic spirals, as their bands lie (`Senn1959` of src/bibliography.rs). Numbers of storms and fronts are ours.
 const STORM_WINDS = 2.1;        // cotangent of the angle at which spirals cross circles about the storm's middle
 const STORM_EYE = 0.12;         // of its size: within, all turns as one
 const STORM_REACH = 1.5;        // of its size: as far as it winds

@@ -224,3 +224,7 @@ pub enum Sunamura1984 {}
 /// Zhao, H. (2005), *A fast sweeping method for eikonal equations*, Math. Comp. 74, 603–627: Godunov's upwind differences, swept over a
 /// grid in four orders. <https://doi.org/10.1090/S0025-5718-04-01678-3>
 pub enum Zhao2005 {}
+
+/// Senn, H. V. and Hiser, H. W. (1959), *On the origin of hurricane spiral rain bands*, J. Meteor. 16, 419–426: bands as logarithmic spirals.
+/// <https://doi.org/10.1175/1520-0469(1959)016%3C0419:OTOOHS%3E2.0.CO;2>
+pub enum Senn1959 {}

@@ -11,6 +11,7 @@ const CLOUDS_IN_HAZE = vec4f(0.794, 0.879, 0.938, 0.964);
 const SHUT = vec2f(0.6, 0.95);
 const GLOW_BEYOND = vec2f(0.1, 0.0);
 const SIDES_LIT = 0.75;     // of the light that meets a plane which faces the sun, what the sides and bases of heaps send down of one on the horizon's; ours
+const LEAST_MET = 0.02;     // sine of the sun's elevation of a layer as uneven as clouds are: it is met by some light of a sun below its horizon
 const LEVEL_LIT = 0.3;      // sine of the sun's elevation below which closed clouds, which are level, have less of it; what they have at least, as tops are
 const LEAST_LIT = 0.03;     // uneven: both ours, as higher suns' light goes through such clouds the better the steeper it comes
 const QUICK_HIDDEN = 0.8;   // of the sky that is mirrored, where clouds are everywhere
@@ -44,13 +45,19 @@ fn sent_down(light: Daylight, mu_sun: f32, cover: f32) -> vec3f {
     return LET_THROUGH * max(light.sun * max(mu_sun, 0.0), sides * SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu_sun));
 }
 
+// How much of that level ground has: sides that face a low sun stand before each other, and all of them have no more light than the layer meets.
+fn sent_to_ground(light: Daylight, mu_sun: f32, cover: f32) -> vec3f {
+    let met = max(mu_sun, LEAST_MET) * SUN_IRRADIANCE * sunlight(CLOUD_TOP, mu_sun);
+    return min(sent_down(light, mu_sun, cover), 0.5 * met);
+}
+
 // Daylight on the ground or the sea: less of the sun in the shadow of a cloud; under many, less of the sky and more of what comes through them. The
 // air is that of the eye's own sky, as it is before the clouds: with each place's own, the far sea would not end in the haze that the sky starts in.
 fn shaded(light: Daylight, mu_sun: f32, shadow: vec3f) -> Daylight {
     let cover = shadow.y;
     let over_eye = cover_at_eye();
-    let clouded = 0.5 * light.sky + sent_down(light, mu_sun, cover);
-    let clouded_eye = 0.5 * light.sky + sent_down(light, mu_sun, over_eye);
+    let clouded = 0.5 * light.sky + sent_to_ground(light, mu_sun, cover);
+    let clouded_eye = 0.5 * light.sky + sent_to_ground(light, mu_sun, over_eye);
     return Daylight(light.sun * shadow.x, mix(light.sky, clouded, cover), cover, air_under(over_eye), shadow.z, mix(light.sky, clouded_eye, over_eye));
 }
 

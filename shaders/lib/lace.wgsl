@@ -213,12 +213,13 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
 }
 
 // Where the foam map is asked for a place of the water: fronts run ahead in some places and fall back in others, over widths of 8 and 2 m, by so many widths of
-// what breaks as one.
+// what breaks as one, as far as a footprint shows them.
 const RAGGED_FRONTS = vec2f(0.8, 0.3);
 
-fn ragged(at: vec2f) -> vec2f {
+fn ragged(at: vec2f, footprint: Metres) -> vec2f {
     let texels = lace_texels(at);
-    return at + frame.foam_levels[1].breaking * (RAGGED_FRONTS.x * wander(texels, 5u).x + RAGGED_FRONTS.y * wander(texels, 3u).x) * wave_cells[0].wind;
+    let seen = RAGGED_FRONTS * vec2f(1.0 - smoothstep(1.6, 4.8, footprint), 1.0 - smoothstep(0.4, 1.2, footprint));
+    return at + frame.foam_levels[1].breaking * (seen.x * wander(texels, 5u).x + seen.y * wander(texels, 3u).x) * wave_cells[0].wind;
 }
 
 // How far foam of which so much is young has just been made.

@@ -161,7 +161,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     var facets = MEAN_FACETS;
     if FOAM {
         var asked = foam_at;
-        if FINE { asked = ragged(foam_at); }
+        if FINE { asked = ragged(foam_at, foam_footprint); }
         let lies = foam_share(asked, in.height, sea.height, foam_footprint, FINE);
         var shares = whitened * vec2f(lies.all, lies.young);
         let width = faced * footprint;

@@ -82,8 +82,8 @@ pub fn weather(unix_seconds: f64) -> Weather {
     Weather { numbers: [number, number.wrapping_add(1)], weights: [cos as f32, sin as f32] }
 }
 
-/// Storms of a weather: a unit vector in axes that drift with the clouds, and the storm's size, radians, against the clock in the north:
-/// less than zero in the south.
+/// Storms of a weather: a unit vector in axes that drift with the clouds, and the storm's size, radians: less than zero in the
+/// south, where it turns with the clock.
 pub fn storms(number: u32) -> [Vec4; STORMS] {
     let mut state = number.wrapping_mul(0x9e37_79b9) ^ 0x51ed_270b;
     let mut random = move || {

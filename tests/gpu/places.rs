@@ -99,8 +99,8 @@ fn a_pixel_keeps_what_the_mesh_has_there() {
         }
         for axis in 0..2 {
             close("ahead", found.ahead[axis], asked.ahead[axis], HALF * f64::from(asked.ahead[axis].abs()) + 1e-7);
-            // Logarithms to the base 2, in half steps of up to 2^-7: so much of the way.
-            let share = 2f64.powf(1.0 / 128.0) - 1.0;
+            // Logarithms to the base 2, in steps of 1/102.4: half of one of the way.
+            let share = 2f64.powf(0.5 / 102.4 + 1e-5) - 1.0;
             close("way", found.ways[axis], asked.ways[axis], share * f64::from(asked.ways[axis]));
         }
     }
