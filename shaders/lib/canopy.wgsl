@@ -23,16 +23,16 @@ fn woods_at(share: f32, stands: vec3f) -> f32 {
     return mix(smoothstep(0.0, 0.02, share) / (1.0 + exp(min((threshold - stands.x) / edge, 60.0))), 1.0, smoothstep(0.98, 1.0, share));
 }
 
-const CROWN_LEVEL = 21u;           // cells of 13.5 m at the equator, 9 m at 48°
+const CROWN_LEVEL = 22u;           // cells of 6.8 m at the equator, 4.5 m at 48°
 const CROWN_TURN = vec2i(1, 1);
-const CROWN_RADII = vec2f(0.44, 0.72);       // of a cell
+const CROWN_RADII = vec2f(0.40, 0.72);       // of a cell, the larger ones seldom; with CROWN_ASIDE no more than one cell
 const CROWN_ASIDE = 0.28;          // how far a crown is from its cell's middle, at most
 const CROWN_BASES = 0.5;           // height of the highest base, in cells
 const CROWN_BLOCKS = 7u;           // of four cells, that a sight crosses at most
 const CROWN_CROSSED = 4.0;         // cells that it goes while it sinks by the height of the highest, at most
 const CROWN_TALL = vec2f(0.8, 1.5);          // height of a crown over its radius: broad ones, and pointed ones of cold places
 const CROWN_LIGHT = vec3f(0.12, 0.36, 1.15);  // of what is seen down to the ground, of crowns' feet and of their tops
-const CROWN_MEAN = vec2f(0.645, 0.543);       // of that, seen from above, of broad crowns and of pointed ones
+const CROWN_MEAN = vec2f(0.597, 0.502);       // of that, seen from above, of broad crowns and of pointed ones
 const CROWN_SLIM = 0.12;           // by how much pointed ones are narrower
 
 struct Crown { radius: f32, middle: vec2f, base: f32, word: u32 }

@@ -25,7 +25,7 @@ fn share_of(size: u32, green: f32, clumps: vec4f) -> f32 {
 // Crowns of woods, as far as pixels so wide show them: of upright ones a flat sight sees fewer, but no narrower.
 fn in_woods(p: FinePoint, woods: f32, pointed: f32, sight: vec2f, sun: vec2f, eye: Metres, footprint: Metres, across: Metres) -> Standing {
     let cell = EARTH_TURN * max(frame.cos_lat, 0.1) / exp2(f32(CROWN_LEVEL)) / length(vec2f(CROWN_TURN));
-    let whole = woods * smoothstep(1.3, 2.2, eye / cell) * (1.0 - smoothstep(0.3, 0.9, min(footprint, 1.5 * across) / cell));
+    let whole = woods * smoothstep(1.3, 2.2, eye / cell) * (1.0 - smoothstep(0.4, 1.2, min(footprint, 1.5 * across) / cell));
     let own = canopy(p, woods, pointed, sight, sun, across / cell, whole <= 0.0);
     return Standing(whole * own.tone, whole, whole * own.rise, whole * own.shade, own.leaf);
 }

@@ -278,7 +278,7 @@ fn an_eye_among_clouds_sees_those_behind_the_ones_about_it() {
 /// How many times as bright a sky of so many clouds is beside the sun, as nine degrees from it.
 fn glow_about_the_sun(renderer: &mut Renderer, clouds: f64) -> f64 {
     const SIZE: [u32; 2] = [320, 180];
-    let link = format!("#view=10,-110,5,270,95&bft=3&clouds={clouds}&time=2026-05-04T00:40:00Z");
+    let link = format!("#view=10,-110,5,270,95&bft=3&clouds={clouds}&time=2026-05-13T00:40:00Z");
     let (frame, _) = render::draw(renderer, &render::parse_state(&link).unwrap(), SIZE, Output::Picture).unwrap();
     let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
     let u = &frame.uniform;
