@@ -14,10 +14,12 @@ const MIRRORS_CLOUDS = FINE;
 const PLANE: Metres = 20.0;        // over which the slopes are taken
 const FARTHEST: Metres = 400.0;    // that any water lets an eye see
 
-fn bed_altitude(way: vec2f) -> Metres {
+fn ground_below(way: vec2f) -> Ground {
     let dn = normal_delta(vec3f(way, -frame.eye_altitude));
-    return min(ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 1.0).elevation, 0.0);
+    return ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 1.0);
 }
+
+fn bed_altitude(way: vec2f) -> Metres { return min(ground_below(way).elevation, 0.0); }
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Pixel {
@@ -40,9 +42,12 @@ fn fragment(in: Pixel) -> Seen {
     var distance = over_bed / max(sinking, 1e-4);
     let is_near = (sinking > 0.0) & (distance < FARTHEST);
     var depth = -in.bed.x;
+    var corals = vec2f(0.0);
     for (var i = 0; i < 2; i++) {
         let place = direction * min(distance, FARTHEST);
-        let bed = bed_altitude(place.xy);
+        let ground = ground_below(place.xy);
+        let bed = min(ground.elevation, 0.0);
+        corals = ground.corals;
         depth = -bed;
         distance = clamp(distance + (frame.eye_altitude + place.z - bed) / max(sinking, 0.01), 0.02, 2.0 * FARTHEST);
     }
@@ -58,7 +63,7 @@ fn fragment(in: Pixel) -> Seen {
     if hits {
         var caustic = 1.0;
         if FINE { caustic = bed_caustic(w, caustics, place.xy, depth); }
-        radiance = bed_light(w, place.xy, depth, footprint, caustic);
+        radiance = bed_light(w, place.xy, depth, corals, footprint, caustic);
     }
     let seen = seen_through(w, radiance, frame.eye_altitude, direction, way, rays);
     return Seen(shown_in_water(w, seen), select(1e-9, clamp(NEAR / (distance * dot(direction, frame.ray_forward)), 1e-9, 1.0), hits));

@@ -95,7 +95,7 @@ fn vertex(in: Tile) -> Vertex {
     let local = rest + up * height;
     var shore = vec2f(0.0);
     if SWASH || BESIDE {
-        let height = height_coming_in(local_sea(point), length(rest));
+        let height = ground.waves * height_coming_in(local_sea(point), length(rest));
         shore = vec2f(height, run_up_reach(height, foreshore(ground.face)));
     }
     return Vertex(frame.clip_from_local * vec4f(local, 1.0), local, inside, tile,

@@ -20,8 +20,10 @@ const CAPILLARY: Metres = 0.0027;      // a: the square root of surface tension 
 fn vertex(@location(0) grid: vec2f) -> Vertex {
     let place = frame.lens * (frame.ray_forward + grid.x * frame.ray_right + grid.y * frame.ray_up);
     let dn = normal_delta(vec3f(place.xy, -frame.eye_altitude));
-    let sea = local_sea(map_point(dn));
-    let held = held_share(-ground_at(map_point(dn), frame.sin_lat + sin_lat_delta(dn), 20.0).elevation, sea.height);
+    let point = map_point(dn);
+    let ground = ground_at(point, frame.sin_lat + sin_lat_delta(dn), 20.0);
+    let sea = behind_reefs(local_sea(point), ground.waves);
+    let held = held_share(-ground.elevation, sea.height);
     // The water that stands there has been moved there by the chop.
     var rest = place.xy;
     var height = 0.0;

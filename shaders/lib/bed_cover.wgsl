@@ -46,7 +46,8 @@ const REEF = vec3f(0.16, 0.125, 0.085);
 const COVER_BEGINS = vec2f(0.33, 0.425);       // of the noise of meadows, and of reefs
 const COVER_EDGE = vec2f(0.03, 0.025);         // half the width of an edge there
 
-struct BedCover { grass: f32, rock: f32 }
+// `corals`: how far those of a reef cover it.
+struct BedCover { grass: f32, rock: f32, corals: f32 }
 
 // How deep seagrass grows where daylight fades so fast, per metre (C. Duarte 1991).
 fn meadows_to(fading: f32) -> Metres { return 1.82 / pow(fading, 1.07); }
@@ -56,7 +57,7 @@ fn cover_of(meadow: f32, reef: f32, blurred: f32, depth: Metres, deepest: Metres
     let edge = COVER_EDGE + blurred;
     let begun = smoothstep(COVER_BEGINS - edge, COVER_BEGINS + edge, vec2f(meadow, reef));
     let grass = begun.x * smoothstep(0.7, 2.0, depth) * (1.0 - smoothstep(0.5, 1.0, depth / deepest));
-    return BedCover(grass, begun.y * (1.0 - grass));
+    return BedCover(grass, begun.y * (1.0 - grass), 0.0);
 }
 
 const BED_NOISE_DEVIATION = 0.2;         // of `bed_noise`
@@ -73,24 +74,42 @@ fn meadow_and_reef(place: vec2f, wide: vec4f, fine: vec3f) -> vec2f {
         wide.y * bed_noise(place, 128.0, 43u).z + WIDE.w * wide.w * bed_noise(place, 32.0, 44u).z + dot(fine.yz, vec2f(0.35, 0.20)));
 }
 
-// As an eye in the water has it that sees so much of the bed in a pixel. `fine`: noises over 16, 4 and 1 m.
-fn bed_cover(place: vec2f, depth: Metres, deepest: Metres, fine: vec3f, footprint: Metres) -> BedCover {
+// As an eye in the water has it that sees so much of the bed in a pixel. `fine`: noises over 16, 4 and 1 m; `corals` as in world.wgsl.
+fn bed_cover(place: vec2f, depth: Metres, deepest: Metres, corals: vec2f, fine: vec3f, footprint: Metres) -> BedCover {
     let wide = wide_shown(footprint);
     let near = fine_shown(footprint);
     let noise = meadow_and_reef(place, wide, fine * near);
     let hidden = length(vec2f(length(WIDE * (1.0 - wide)), length(MEADOWS_FINE * (1.0 - near))));
-    return cover_of(noise.x, noise.y, 1.5 * BED_NOISE_DEVIATION * hidden, depth, deepest);
+    var cover = cover_of(noise.x, noise.y + HEADS * corals.y, 1.5 * BED_NOISE_DEVIATION * hidden, depth, deepest);
+    cover.grass *= 1.0 - SPARED * corals.y;
+    cover.corals = corals.x * on_flat(noise.y, hidden);
+    return cover;
+}
+
+const CORAL_SAND = vec3f(0.50, 0.47, 0.37);
+const MOIST_SAND = 0.9;              // reflectance of sand that spray and the last tide have left moist over that of dry sand
+const CORAL_SAND_TO: Metres = 60.0;  // depth to which the waves carry a reef's sand
+const RUBBLE = vec3f(0.30, 0.265, 0.19);       // between corals
+const RUBBLED = 0.7;                 // how far it covers what is there
+const CORALS = vec3f(0.115, 0.100, 0.058);     // on a reef's crest and flat, with algae
+const HEADS = 0.11;                  // how many more heads of coral stand in a lagoon than on other sand, of the noise
+const SPARED = 0.6;                  // share of the meadows that a lagoon has not
+const FLATS = vec2f(-0.45, 0.10);    // of the noise, between which corals cover more and more of a flat
+
+// Sand where so much of it is a reef's.
+fn with_coral_sand(sand: vec3f, depth: Metres, share: f32) -> vec3f {
+    return mix(sand, MOIST_SAND * CORAL_SAND, share * smoothstep(CORAL_SAND_TO, 0.0, depth));
+}
+
+// How far corals cover a flat where the noise of reefs, of which so much is `hidden`, has this value.
+fn on_flat(noise: f32, hidden: f32) -> f32 {
+    let edge = vec2f(-1.0, 1.0) * BED_NOISE_DEVIATION * hidden;
+    return smoothstep(FLATS.x + edge.x, FLATS.y + edge.y, noise);
 }
 
 const ALIKE_TO: Metres = 2.0;        // widths of pixels from which on meadows are many here and few there
 const APART_FROM: Metres = 12.0;
 const SPARSE = 0.09;                 // how wide the edges are between which meadows thin out, seen from above; of the noise
-
-const CORAL_SAND = vec3f(0.50, 0.47, 0.37);
-const RUBBLE = vec3f(0.30, 0.265, 0.19);       // between corals
-const CORALS = vec3f(0.115, 0.100, 0.058);     // on a reef's crest and flat, with algae
-const HEADS = 0.11;                  // how many more heads of coral stand in a lagoon than on other sand, of the noise
-const FLATS = vec2f(-0.45, 0.10);    // of the noise, between which corals cover more and more of a flat
 
 // Albedo of the bed from above the water, of sand that has that of `sand`: the same meadows and reefs, as far as pixels so wide show them; `corals` as in world.wgsl.
 fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, corals: vec2f, footprint: Metres) -> vec3f {
@@ -104,7 +123,6 @@ fn covered_bed(point: MapPoint, sand: vec3f, depth: Metres, deepest: Metres, cor
     let hidden = WIDE * (1.0 - wide);
     let cover = cover_of(noise.x + regional.x + regional.y, noise.y - regional.x + HEADS * corals.y, SPARSE + 1.5 * BED_NOISE_DEVIATION * length(hidden), depth, deepest);
     let tone = 1.0 + 0.22 * fine.x + 0.3 * wide.z * bed_noise(place, 64.0, 45u).z;
-    let usual = mix(mix(sand * tone, SEAGRASS, cover.grass * (1.0 - 0.6 * corals.y)), REEF, cover.rock);
-    let edge = vec2f(-1.0, 1.0) * BED_NOISE_DEVIATION * length(hidden);
-    return mix(mix(usual, RUBBLE * tone, 0.7 * corals.x), CORALS * (1.0 + 0.5 * fine.x), corals.x * smoothstep(FLATS.x + edge.x, FLATS.y + edge.y, noise.y));
+    let usual = mix(mix(sand * tone, SEAGRASS, cover.grass * (1.0 - SPARED * corals.y)), REEF, cover.rock);
+    return mix(mix(usual, RUBBLE * tone, RUBBLED * corals.x), CORALS * (1.0 + 0.5 * fine.x), corals.x * on_flat(noise.y, length(hidden)));
 }

@@ -37,10 +37,8 @@ const STANDING = 0.8;            // share of a dome's slope that shades it: leav
 const BENT = 0.5;               // how far the lattices of what grows are bent, of the detail's bends: more would squeeze what stands there
 const FRAYED = 0.55;             // how far what grows reaches out on to a beach and leaves gaps, of the beach's width, a tone
 const SAND_MOTTLES = vec4f(0.25, 0.35, 0.25, 0.15);      // of patches some 76, 19, 5 and 1 m wide
-const MOIST_SAND = 0.9;          // reflectance of sand that spray and the last tide have left moist over that of dry sand
 const WET_SAND = 0.66;            // reflectance of wet sand over that of dry sand
 const SHORE_SAND = vec2f(30.0, 80.0);   // from the shore, m, between which the sand of the bed loses its mottles and its grain
-const CORAL_SAND_TO: Metres = 60.0; // depth to which the waves carry a reef's sand
 const GRAIN_TO: Metres = 0.6;     // depth to which its grain shows
 const BED_AS_BEACH: Metres = 2.5; // depth to which the bed is the beach's sand, more and more the sea's own; the water over it wets it
 const FARMED_FROM = vec2f(120.0, 400.0);   // how far from the ocean farms begin, m: none on cays and spits
@@ -223,7 +221,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
             let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);
-            albedo = mix(albedo, MOIST_SAND * CORAL_SAND, ground.corals.y * smoothstep(SHORE_SAND.x, SHORE_SAND.y, ground.ocean_shore) * smoothstep(CORAL_SAND_TO, 0.0, -ground.elevation));
+            albedo = with_coral_sand(albedo, -ground.elevation, ground.corals.y * smoothstep(SHORE_SAND.x, SHORE_SAND.y, ground.ocean_shore));
             albedo = covered_bed(point, albedo, -ground.elevation, meadows, ground.corals, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
         }
     }

@@ -70,7 +70,7 @@ fn reef_depth(reef: Reef, d: Metres, plain: Metres, trusted: f32, far: Metres) -
     let crest = mix(reef.shallow, REEFS_CREST_DEPTH.y, in_pass(reef));
     let steep = max(out, 0.0) / REEFS_FORE.y;
     let fore = crest + REEFS_FORE.x * out + steep * steep * steep;
-    let outside = min(max(plain, min(REEFS_GOES_ON * out, far * (1.0 - trusted))), fore);
+    let outside = min(max(plain, min(max(crest, REEFS_GOES_ON * out), far * (1.0 - trusted))), fore);
     let across = d / max(reef.crest - reef_flat(reef), 1.0);
     let channel = mix(REEFS_CHANNEL.y, REEFS_CHANNEL.x, smoothstep(REEFS_CHANNEL_WIDE.x, REEFS_CHANNEL_WIDE.y, reef.crest));
     let bed = REEFS_FRINGE + max(channel - REEFS_FRINGE, 0.0) * smoothstep(REEFS_LAGOON.x, REEFS_LAGOON.y, across);

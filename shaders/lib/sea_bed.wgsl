@@ -45,7 +45,8 @@ const RIPPLES_FIRST = vec2f(0.934, 0.358);      // ways that they lie across
 const RIPPLES_SECOND = vec2f(0.788, 0.616);
 const RIPPLES_THIRD = vec2f(0.31, 0.95);
 
-fn bed_look(place: vec2f, depth: Metres, deepest: Metres, pixel: Footprint) -> BedLook {
+// `corals` as in world.wgsl.
+fn bed_look(place: vec2f, depth: Metres, deepest: Metres, corals: vec2f, pixel: Footprint) -> BedLook {
     // As good as square, for what has no direction.
     let footprint = sqrt(pixel.across * length(vec2f(pixel.across, length(pixel.along))));
     // Broad heaps, and the bends of ripples.
@@ -69,21 +70,24 @@ fn bed_look(place: vec2f, depth: Metres, deepest: Metres, pixel: Footprint) -> B
     let grains = bed_noise(place, 0.03125, 35u).z * shown(footprint, 0.03125) + bed_noise(place, 0.0078125, 36u).z * shown(footprint, 0.0078125);
     let tone = 1.0 + 0.10 * ripple.z * calm + 0.22 * broad.z + 0.16 * small.z * shown(footprint, 1.0) + 0.22 * grains
         + 0.12 * tiny.z * shown(footprint, 0.25);
-    var albedo = BED_ALBEDO * clamp(tone, 0.35, 1.5);
-    let cover = bed_cover(place, depth, deepest, vec3f(broad.z, heaps.z, small.z), length(vec2f(pixel.across, length(pixel.along))));
+    let sand_tone = clamp(tone, 0.35, 1.5);
+    var albedo = with_coral_sand(BED_ALBEDO, depth, corals.y) * sand_tone;
+    let cover = bed_cover(place, depth, deepest, corals, vec3f(broad.z, heaps.z, small.z), length(vec2f(pixel.across, length(pixel.along))));
     let grass = cover.grass;
     let rock = cover.rock;
     let blades = 0.5 + 1.1 * tiny.z * shown(footprint, 0.25) + 0.9 * small.z;
     albedo = mix(albedo, SEAGRASS * clamp(0.6 + blades, 0.3, 1.8), grass);
     slope = mix(slope, slope + 0.10 * tiny.xy * shown(footprint, 0.25) + 0.10 * small.xy, grass);
     albedo = mix(albedo, REEF * clamp(0.9 + 1.2 * small.z + 0.9 * tiny.z, 0.3, 1.8), rock);
-    slope += rock * (0.35 * small.xy * shown(footprint, 1.0) + 0.09 * tiny.xy * shown(footprint, 0.25));
+    albedo = mix(albedo, RUBBLE * sand_tone, RUBBLED * corals.x);
+    albedo = mix(albedo, CORALS * clamp(1.0 + 1.2 * small.z + 0.9 * tiny.z, 0.3, 1.8), cover.corals);
+    slope += max(rock, cover.corals) * (0.35 * small.xy * shown(footprint, 1.0) + 0.09 * tiny.xy * shown(footprint, 0.25));
     return BedLook(slope, albedo);
 }
 
 // Radiance of the bed at a way from the eye's foot, where the water is `depth` deep. `caustic`: the sun's light there over its mean.
-fn bed_light(w: Underwater, way: vec2f, depth: Metres, pixel: Footprint, caustic: f32) -> vec3f {
-    let look = bed_look(bed_place(way), depth, meadows_to(w.fading.g), pixel);
+fn bed_light(w: Underwater, way: vec2f, depth: Metres, corals: vec2f, pixel: Footprint, caustic: f32) -> vec3f {
+    let look = bed_look(bed_place(way), depth, meadows_to(w.fading.g), corals, pixel);
     let normal = normalize(vec3f(-look.slope, 1.0));
     let left = exp(-w.fading * depth);
     // What has been scattered on its way shows no wave.

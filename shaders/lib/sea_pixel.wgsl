@@ -149,7 +149,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         var light = daylight_at(frame.light.z);
         if CLOUDS { light = clouded_daylight_at_eye(light); }
         let w = underwater(light);
-        let seen = surface_from_below(w, vec2f(pixel) + 0.5, moved, direction, normal, up, calmed * calmed * slopes.rough, depth);
+        let seen = surface_from_below(w, vec2f(pixel) + 0.5, moved, direction, normal, up, calmed * calmed * slopes.rough, depth, ground.corals);
         if !MEASURED { return SeaPixel(shown_in_water(w, seen), true); }
         return SeaPixel(measured_output(Measured(rest, distance, depth, alpha, in.height, normal, 1.0, mix_weights(distance).y, vec3f(0.0)), seen), true);
     }

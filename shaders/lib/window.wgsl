@@ -64,8 +64,8 @@ fn sky_from_below(out: vec3f, at: vec3f, up: vec3f) -> vec3f {
 }
 
 // Radiance towards the eye of the surface at a place, through the water before it. `rough`: variance of the slopes that the pixel hides, along the wind
-// and across it; `depth`: of the bed there.
-fn surface_from_below(w: Underwater, pixel: vec2f, at: vec3f, direction: vec3f, normal: vec3f, up: vec3f, rough: vec2f, depth: Metres) -> vec3f {
+// and across it; `depth`, `corals`: of the bed there.
+fn surface_from_below(w: Underwater, pixel: vec2f, at: vec3f, direction: vec3f, normal: vec3f, up: vec3f, rough: vec2f, depth: Metres, corals: vec2f) -> vec3f {
     let variance = max(0.5 * (rough.x + rough.y), 1e-7);
     let facets = facets_from_below(direction, normal, up, max(variance_towards(direction, up, along_wind(up), rough), 1e-7), spread_evenly(pixel));
     let sky = (1.0 - facets.mirrored) * sky_from_below(facets.out, at, up);
@@ -87,7 +87,7 @@ fn surface_from_below(w: Underwater, pixel: vec2f, at: vec3f, direction: vec3f, 
     var caustic = 1.0;
     if FINE { caustic = mix(1.0, bed_caustic(w, scene_colour, spot.xy, depth), 1.0 - smoothstep(0.05, 0.4, blur)); }
     var bed = vec3f(0.0);
-    if (frame.layers & SHOWS_LAND) != 0u { bed = bed_light(w, spot.xy, depth, footprint_on_bed(0.0, away, -away.z, blur), caustic); }
+    if (frame.layers & SHOWS_LAND) != 0u { bed = bed_light(w, spot.xy, depth, corals, footprint_on_bed(0.0, away, -away.z, blur), caustic); }
     let below = seen_through(w, bed, min(at.z + frame.eye_altitude, 0.0), away, way, 1.0);
     let surface = WATER_INDEX * WATER_INDEX * (sky + sun) + facets.mirrored * below;
     let distance = length(at);

@@ -48,10 +48,12 @@ const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which cora
 
 // What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.
 fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
-    let wide = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
-    let mean = bilinear(false, point, wide).x;
-    return vec4f(grid_of(texels_around(false, point, pages_at(point, min(level_at(point, sin_lat, footprint), grid_level())).terrain)),
-        reef_share(point, sin_lat, mean, texel_metres(point, f32(wide.level), sin_lat)));
+    var reefs = 0.0;
+    if (abs(sin_lat) < REEFS_WARM.y) & (frame.terrain_resolution >= REEFS_MEASURED) {
+        let wide = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
+        reefs = reef_share(point, sin_lat, bilinear(false, point, wide).x, texel_metres(point, f32(wide.level), sin_lat));
+    }
+    return vec4f(grid_of(texels_around(false, point, pages_at(point, min(level_at(point, sin_lat, footprint), grid_level())).terrain)), reefs);
 }
 
 // The ground at a place, around which the grid has so much.
@@ -82,12 +84,22 @@ fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres,
     }
     let plain = shaped_elevation(elevation, coast, shores.x);
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
-    let none = (reefs <= 0.0) | (shores.x <= 0.0) | (shores.x > trusted);
-    let wide_page = pages_at(point, REEFS_WIDE_LEVEL).water;
-    let wide = wide_shore(point, wide_page, none) * texel_metres(point, f32(wide_page.level), sin_lat);
-    let reef = reef_at(reefs, point.at, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)), wide, none);
-    let built = -reef_depth(reef, shores.x, -plain, smoothstep(0.1 * trusted, trusted, shores.x), coast.far);
-    let cover = select(reef_cover(reef, shores.x), vec2f(0.0), none);
-    return Ground(select(built, plain, none), shores.x, shores.y, water.rise, texel, bed_steeper() * coast.m, coast.cliff,
-        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, water.told.z > 0.5, plain, cover, select(reef_waves(reef, shores.x), 1.0, none));
+    // Waves that run up a lagoon's beach are the lagoon's.
+    let none = (reefs <= 0.0) | (shores.x < -REEFS_ASHORE) | (shores.x > trusted);
+    var built = plain;
+    var corals = vec2f(0.0);
+    var waves = 1.0;
+    // Few pixels of the earth have any.
+    if !none {
+        let wide_page = pages_at(point, REEFS_WIDE_LEVEL).water;
+        let told = wide_shore(point, wide_page, none) * texel_metres(point, f32(wide_page.level), sin_lat);
+        let wide = select(told, shores.x, wide_page.layer == 0u);
+        let reef = reef_at(reefs, point.at, sqrt(max(1.0 - sin_lat * sin_lat, 0.0)), wide, none);
+        let depth = reef_depth(reef, shores.x, -plain, smoothstep(0.1 * trusted, trusted, shores.x), coast.far);
+        built = select(plain, -depth, shores.x > 0.0);
+        corals = select(vec2f(0.0), reef_cover(reef, shores.x), shores.x > 0.0);
+        waves = reef_waves(reef, max(shores.x, 0.0));
+    }
+    return Ground(built, shores.x, shores.y, water.rise, texel, bed_steeper() * coast.m, coast.cliff,
+        shores.x > 0.0, shores.y > 0.0 && shores.x <= 0.0, water.told.z > 0.5, plain, corals, waves);
 }

@@ -142,13 +142,18 @@ pub fn sample(
     };
     let (mut relief_made_m, mut waves_left) = (relief_made_m, 1.0);
     let coast = Coast::new(grid, terrain.resolution_m, libm::sin(lat));
-    if class == WaterClass::Ocean && projection == Projection::Mercator && rugged::is_coarse(terrain.resolution_m) {
-        let share = map.reef_share(terrain.deepest, lat)?;
+    let has_reefs = ocean_m > -reefs::ASHORE_M && rugged::is_coarse(terrain.resolution_m);
+    let share =
+        if has_reefs && projection == Projection::Mercator { map.reef_share(terrain.deepest, lat)? } else { 0.0 };
+    if share > 0.0 {
         let (at, cos_lat) = ([point.u, point.v], libm::cos(lat));
-        let wide_m = map.splined_shores(reefs::WIDE_LEVEL.min(water_level))?.unwrap_or_default()[0];
+        let wide_m = map.splined_shores(reefs::WIDE_LEVEL.min(water_level))?.map_or(ocean_m, |shores| shores[0]);
         let (depth_m, left) =
             Reef::depth_on(share, at, cos_lat, [ocean_m, wide_m], -measured_m, terrain.resolution_m, coast.far_m);
-        (relief_made_m, waves_left) = (-depth_m - measured_m, left);
+        waves_left = left;
+        if class == WaterClass::Ocean {
+            relief_made_m = -depth_m - measured_m;
+        }
     }
     let elevation_m = elevation_measured_m + relief_made_m;
     let is_inland = matches!(class, WaterClass::Lake | WaterClass::River);

@@ -76,6 +76,10 @@ pub const COMES_OVER: f64 = 0.12;
 pub const CALMED: f64 = 0.6;
 /// See [`COMES_OVER`].
 pub const BY_PASS_M: [f64; 2] = [100.0, 600.0];
+/// So far ashore, metres, what comes in to a beach is what the reef before it leaves: no wave runs up farther.
+pub const ASHORE_M: f64 = 500.0;
+/// No farther off a shore, metres, the bed is less deep than data have it: 600 m out of the farthest crest the fore reef is deeper than any bed about islands.
+pub const REACH_M: f64 = FARTHEST_M + 600.0;
 
 /// How far there is a reef about islands, 0 to 1, at a place of Mercator's map, `x` and `y` from 0 to 1, at a latitude of this sine, where the mean elevation in texels
 /// `texel_m` wide, of level [`rugged::ISLAND_LEVEL`], is `mean_m`: on shelves waters are muddy, and reefs others.
@@ -118,7 +122,7 @@ impl Reef {
         }
     }
 
-    /// Depth at a place `shore_m` off the shore, in the mean about it `wide_m`, where without a reef it is `plain_m` and the data's cells are `resolution_m` wide, and what is left of the
+    /// Depth at a place `shore_m` off the shore (less than 0: the ground's ashore), in the mean about it `wide_m`, where without a reef it is `plain_m` and the data's cells are `resolution_m` wide, and what is left of the
     /// waves' height; the rest as for the others.
     pub fn depth_on(
         share: f64,
@@ -130,10 +134,13 @@ impl Reef {
         far_m: f64,
     ) -> (f64, f64) {
         let trusted_m = trusted_m(resolution_m);
-        if share <= 0.0 || !(0.0..=trusted_m).contains(&shore_m) {
+        if share <= 0.0 || !(-ASHORE_M..=trusted_m).contains(&shore_m) {
             return (plain_m, 1.0);
         }
         let reef = Self::new(share, at, cos_lat, wide_m);
+        if shore_m <= 0.0 {
+            return (plain_m, reef.waves_left(0.0));
+        }
         let trusted = smoothstep(0.1 * trusted_m, trusted_m, shore_m);
         (reef.depth_m(shore_m, plain_m, trusted, far_m), reef.waves_left(shore_m))
     }
@@ -160,7 +167,7 @@ impl Reef {
         let out = d - self.crest_m;
         let crest_m = self.shallow_m + (CREST_DEPTH_M[1] - self.shallow_m) * self.in_pass();
         let fore_m = crest_m + FORE[0] * out + (out.max(0.0) / FORE[1]).powi(3);
-        let outside_m = plain_m.max((GOES_ON * out).min(far_m * (1.0 - trusted))).min(fore_m);
+        let outside_m = plain_m.max(crest_m.max(GOES_ON * out).min(far_m * (1.0 - trusted))).min(fore_m);
         let across = d / (self.crest_m - self.flat_m()).max(1.0);
         let channel_m = CHANNEL_M[1]
             + (CHANNEL_M[0] - CHANNEL_M[1]) * smoothstep(CHANNEL_WIDE_M[0], CHANNEL_WIDE_M[1], self.crest_m);

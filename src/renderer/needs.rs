@@ -11,6 +11,7 @@ use crate::model::waves;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::SHOWS_SEA;
 use crate::scene::sea::shores::ShoreWaves;
+use crate::scene::settings::Settings;
 use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
@@ -97,6 +98,14 @@ impl Renderer {
         self.shores.waves_at(at, place.shallows()?, ticks)
     }
 
+    /// A camera lifted by a part of the drawn water's height below it, as [`Seas::lifted`](crate::scene::sea::Seas::lifted).
+    pub fn lifted(&mut self, settings: &Settings, camera: &Camera, part: f64, unix_seconds: f64) -> Camera {
+        if let Some(place) = self.place_below(camera) {
+            self.seas.tell_reef(camera.lat, camera.lon, place.waves_left);
+        }
+        self.seas.lifted(settings, camera, part, unix_seconds)
+    }
+
     /// The eye that a state asks for, where it can be: a metre over the ground and the waves, or, for a negative altitude over
     /// the ocean, in the water above its bed.
     pub fn eye(&mut self, state: &ViewState, unix_seconds: f64) -> Camera {
@@ -116,6 +125,7 @@ impl Renderer {
             let share = self.seas.shelter.hs_m(&sea, Water::Lake, asked.lat, asked.lon) / sea.sea.hs_m.max(1e-3);
             return above_ground(&asked, place.elevation_m + share * sea.crest_m());
         };
+        self.seas.tell_reef(asked.lat, asked.lon, place.waves_left);
         let ridden = self.seas.eye(state, unix_seconds);
         let crest_m = self.seas.drawn(&state.settings).crest_m();
         let lowest_m = if !state.ride && (0.0..crest_m + LOWEST_M).contains(&asked.altitude_m) {

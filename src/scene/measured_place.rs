@@ -95,10 +95,10 @@ impl MeasuredPlaces {
         let mut surface = None;
         let mut breakers = Value::Null;
         if let Some(depth_m) = sample.depth_m {
-            let Some((gains, peak_s)) = self.waves(world, state, (Water::Ocean, lat, lon), look)? else {
+            let Some((sheltered, peak_s)) = self.waves(world, state, (Water::Ocean, lat, lon), look)? else {
                 return Ok(None);
             };
-            let gains = behind_reefs(gains, sample.waves_left);
+            let gains = behind_reefs(sheltered, sample.waves_left);
             let has_trains = sample.shallows().is_some() && state.settings.quality.is_fine();
             if has_trains && !self.shores.prepare_at(world, (&tables, state.settings.wind_from()), lat, lon) {
                 return Ok(None);
@@ -110,18 +110,20 @@ impl MeasuredPlaces {
             if let Some(similarity) = shore.map(|shore| shore.similarity) {
                 breakers = json!({ "iribarren": similarity, "kind": surf::kind(similarity) });
             }
-            let mut by_shore = |depth_m, shore| {
+            let mut by_shore = |depth_m, left, shore| {
+                let gains = behind_reefs(sheltered, left);
                 self.seas.sample_by_shore(&state.settings, (lat, lon), *unix_seconds, depth_m, gains, shore)
             };
-            let mut found = by_shore(depth_m, shore);
-            // Shaders look up depth and trains where the water rests that the patches' chop has carried here. That depends on both by a tenth of
+            let mut found = by_shore(depth_m, sample.waves_left, shore);
+            // Shaders look up depth, reefs and trains where the water rests that the patches' chop has carried here. That depends on all by a tenth of
             // itself: twice brings millimetres.
-            for _ in 0..if shore.is_some() { 2 } else { 0 } {
+            for _ in 0..if shore.is_some() || sample.waves_left < 1.0 { 2 } else { 0 } {
                 let [east_m, north_m, _] = found.displacement_enu_m;
                 let rest = (lat - north_m / WGS84.a, lon - east_m / (WGS84.a * libm::cos(lat)));
                 let Some(there) = world.sample_by(rest.0, rest.1, look)? else { return Ok(None) };
                 let Some(water) = there.shallows() else { break };
-                found = by_shore(water.h, self.shores.waves_at(rest, water, ticks));
+                let shore = trains.and_then(|_| self.shores.waves_at(rest, water, ticks));
+                found = by_shore(water.h, there.waves_left, shore);
             }
             surface = Some((found, gains, peak_s, hs_here_m));
         }

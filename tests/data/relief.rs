@@ -1,7 +1,8 @@
 //! The relief that is made up for the data's coarseness, at known places of the bundled world.
 
 use ocean_globe::data::sample::Sample;
-use ocean_globe::data::world::World;
+use ocean_globe::data::tile::{MapPoint, Projection, lat_lon_from_map};
+use ocean_globe::data::world::{SHORE_LEVEL, SHORE_SIDE, World};
 use ocean_globe::model::rugged::DROWNED_RISE;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -319,4 +320,32 @@ fn reefs_lie_awash_before_high_islands_of_warm_seas() {
     ]);
     assert!(none.iter().flatten().count() > 100);
     assert!(none.iter().flatten().all(|(_, _, made_m)| *made_m == 0.0));
+}
+
+#[test]
+fn waves_come_in_over_the_reefs_that_are_sampled() {
+    let mut world = World::open(DATA);
+    // The north of Moorea.
+    let MapPoint { u, v, .. } = MapPoint::on(Projection::Mercator, (-17.48f64).to_radians(), (-149.83f64).to_radians());
+    let tile = [u, v].map(|at| at >> (32 - SHORE_LEVEL));
+    let bed = loop {
+        if let Some(bed) = world.shore_bed(tile) {
+            break bed;
+        }
+        world.poll();
+    };
+    let (mut errors, mut made) = (Vec::new(), 0);
+    for (j, i) in (0..SHORE_SIDE).step_by(4).flat_map(|j| (0..SHORE_SIDE).step_by(4).map(move |i| (j, i))) {
+        let at =
+            |tile: u32, i: usize| (f64::from(tile) + (i as f64 * 4.0) / 256.0 - 0.5) / f64::from(1u32 << SHORE_LEVEL);
+        let (lat, lon) = lat_lon_from_map(Projection::Mercator, at(tile[0], i), at(tile[1], j));
+        let sample = world.sample_blocking(lat, lon).unwrap();
+        let Some(depth_m) = sample.depth_m else { continue };
+        errors.push((bed.depth_m[j * SHORE_SIDE + i] - depth_m).abs() / (1.0 + 0.1 * depth_m));
+        made += usize::from(sample.relief_made_m.abs() > 1.0);
+    }
+    errors.sort_by(f64::total_cmp);
+    let [half, most] = [errors.len() / 2, errors.len() * 95 / 100].map(|at| errors[at]);
+    println!("{} nodes, {made} of reefs, off by {half:.3} and {most:.3} m", errors.len());
+    assert!(made > 100 && half < 0.01 && most < 0.6, "{made} {half} {most}");
 }

@@ -199,7 +199,7 @@ struct Asked { place: vec2f, depth: f32, fading: f32 }
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    found[id.x] = bed_cover(a.place, a.depth, meadows_to(a.fading), vec3f(0.0), 1.0).grass;
+    found[id.x] = bed_cover(a.place, a.depth, meadows_to(a.fading), vec2f(0.0), vec3f(0.0), 1.0).grass;
 }";
 
 #[repr(C)]

@@ -86,3 +86,42 @@ fn reefs_are_those_of_the_model() {
     // Ways to passes are quotients of noises in 24 bits, some 1e-5 of a cell of kilometres; a side of a pass falls by 20 m within 110 m.
     assert!(made > 5_000 && depths < 1e-3 && waves < 1e-3 && shares < 1e-4, "{depths} {waves} {shares}");
 }
+
+const BED: &str = "#import sea_bed
+const FINE = true;
+const CLOUDS = false;
+const MIRRORS_CLOUDS = false;
+struct Asked { at: vec2u, corals: vec2f }
+struct Found { below: vec4f, above: vec4f }
+@group(2) @binding(0) var<storage, read> asked: array<Asked>;
+@group(2) @binding(1) var<storage, read_write> found: array<Found>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    let point = MapPoint(MERCATOR, a.at);
+    let below = bed_look(pattern_place(point, vec2f(0.0)), 3.0, 20.0, a.corals, Footprint(1.0, vec2f(0.0))).albedo;
+    let above = covered_bed(point, with_coral_sand(BED_ALBEDO, 3.0, a.corals.y), 3.0, 20.0, a.corals, 1.0);
+    found[id.x] = Found(vec4f(below, 0.0), vec4f(above, 0.0));
+}";
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct AskedBed {
+    at: [u32; 2],
+    corals: [f32; 2],
+}
+
+#[test]
+fn the_bed_of_a_reef_is_the_same_from_above_and_from_within_the_water() {
+    let means = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|corals| {
+        let place = |k: u32| [2_000_000_000 + 8_011 * (k % 128), 1_900_000_000 + 8_017 * (k / 128)];
+        let asked: Vec<_> = (0..128 * 128).map(|k| AskedBed { at: place(k), corals }).collect();
+        let found = kernel::answers::<_, [[f32; 4]; 2]>(BED, &asked);
+        [0, 1].map(|side| found.iter().map(|found| f64::from(found[side][1])).sum::<f64>() / found.len() as f64)
+    });
+    println!("green, from below and above: {means:.3?}");
+    // Noises of a metre are whole from below and of some in the mean from above.
+    assert!(means.iter().all(|[below, above]| (below / above - 1.0).abs() < 0.1), "{means:?}");
+    assert!(means[2][0] < 0.6 * means[1][0], "corals are dark: {means:?}");
+}

@@ -173,14 +173,20 @@ fn trains_at_places_are_those_of_the_cpu() {
     let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
     let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
     let frame = Frame::new(&settings, &camera, 1_782_039_600.0, [64; 2]);
-    // Opens the archives. Deeper water than there is has the trains give the waves back to the patches.
+    // Opens the archives. Deeper water than there is has the trains give the waves back to the patches, and a coral reef has less of it and of the waves.
     let mut places = places(&mut world, &camera, 23.0);
-    (0..).zip(&mut places).for_each(|(i, place)| place.2.h *= [1.0, 3.0, 6.0][i % 3]);
+    for (i, (.., water)) in places.iter_mut().enumerate() {
+        let deeper = |times: f64| Shallows { h: times * water.h, ..*water };
+        *water = match i % 4 {
+            3 => Shallows { h: 1.2, plain_h: 15.0, left: 0.5, ..*water },
+            part => deeper([1.0, 3.0, 6.0][part]),
+        };
+    }
     let places = places;
     let shores = made(&mut world, &frame);
     let asked: Vec<_> = places.iter().map(asked_at).collect();
     let found = Asker::new(TRAINS).found::<_, [f32; 8]>(&shores, &frame, &asked);
-    let (mut seen, mut squares, mut heights, mut shared) = (0, [0.0; 2], 0.0, 0);
+    let (mut seen, mut squares, mut heights, mut shared, mut reefs) = (0, [0.0; 2], 0.0, 0, 0);
     let (spectrum, m0) = (frame.sea.sea.spectrum(), frame.sea.sea.hs_m.powi(2) / 16.0);
     let of_patches: Vec<f64> =
         frame.sea.cascades.iter().map(|patch| spectrum.variance_between(patch.k_min, patch.k_max)).collect();
@@ -198,6 +204,7 @@ fn trains_at_places_are_those_of_the_cpu() {
         assert!((energy / m0 - 1.0).abs() < 0.01, "{energy} m² of {m0}, {found:?}");
         assert!((1.0 - f64::from(found[7]).powi(2) - f64::from(found[3]) * taken_m2(&frame.sea) / m0).abs() < 0.01);
         assert!((0..3).all(|patch| (left[patch] - wanted.patches[patch]).abs() < 1e-4), "{found:?} {wanted:?}");
+        reefs += usize::from(water.left < 1.0 && found[3] > 0.05);
         shared += usize::from((0.05..0.95).contains(&found[3]));
         squares[0] += (f64::from(found[0]) - wanted.wave.rise).powi(2);
         squares[1] +=
@@ -208,7 +215,7 @@ fn trains_at_places_are_those_of_the_cpu() {
     let [rise, slope] = squares.map(|square| (square / f64::from(seen)).sqrt());
     let height = (heights / f64::from(seen)).sqrt();
     println!("{seen} places, waves of {height:.3} m rms: off by {rise:.5} m and {slope:.5}");
-    assert!(seen > 150 && height > 0.1 && shared > 30, "{shared} in both");
+    assert!(seen > 150 && height > 0.1 && shared > 30 && reefs > 20, "{shared} in both, {reefs} behind reefs");
     // Phases of hundreds of radians in 32 bits, and the fronts of bores, which 1e-3 of a radian move by a centimetre.
     assert!(rise < 0.01 * height && slope < 0.01, "{rise} {slope}");
 }
@@ -238,7 +245,9 @@ fn windows_of_waves_hand_over_their_energy() {
         for instant in 0..400 {
             let ticks = frame.ticks() + instant * 7_340_033;
             // As deep everywhere, so that waves are as high: only their phases and their ways differ.
-            let Some(waves) = shores.waves_at((lat, lon), Shallows { h: 8.0, ..water }, ticks) else { continue };
+            let Some(waves) = shores.waves_at((lat, lon), Shallows::new(8.0, water.d, water.m), ticks) else {
+                continue;
+            };
             sums[beside][0] += waves.wave.rise * waves.wave.rise;
             sums[beside][1] += waves.share;
         }

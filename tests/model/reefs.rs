@@ -1,6 +1,9 @@
 //! Coral reefs on their own.
 
 use ocean_globe::model::reefs::{self, Reef};
+use ocean_globe::model::sea_bed::smoothstep;
+use ocean_globe::scene::sea::Seas;
+use ocean_globe::scene::settings::Settings;
 
 const RESOLUTION_M: f64 = 9_277.0;
 const FAR_M: f64 = 1_500.0;
@@ -69,6 +72,76 @@ fn without_a_reef_the_bed_is_the_shores_own() {
         let widest = steps.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
         assert!(widest < 2.0, "a step of {widest} m, {d} m off the shore");
     }
+}
+
+#[test]
+fn no_bed_breaks_off_at_a_crest() {
+    // Over crests, in passes and on their sides, where without a reef the bed is that of a flat or a steep shore.
+    let (mut widest, mut passes) = (0.0f64, 0);
+    for (share, pass_m) in [(1.0, 0.0), (1.0, 90.0), (1.0, 1e4), (0.5, 0.0)] {
+        for crest_m in [120.0, 450.0, 900.0, 2_000.0] {
+            let reef = Reef { share, crest_m, shallow_m: 0.7, pass_m, wide_m: 1e4 };
+            for shelf in [0.005, 0.01, 0.1] {
+                let depth = |d: f64| {
+                    let trusted = smoothstep(0.1 * RESOLUTION_M, RESOLUTION_M, d);
+                    reef.depth_m(d, shelf * d, trusted, FAR_M)
+                };
+                let by_crest = (-60..60).map(|i| depth(crest_m + f64::from(i)));
+                passes += usize::from(depth(crest_m - 1.0) > 10.0);
+                let steps = by_crest.clone().zip(by_crest.skip(1)).map(|(a, b)| (b - a).abs());
+                widest = widest.max(steps.fold(0.0, f64::max));
+            }
+        }
+    }
+    println!("steps of {widest:.2} m at most, {passes} lines in passes");
+    assert!(widest < 2.0 && passes > 5, "a step of {widest} m");
+}
+
+#[test]
+fn waves_run_up_a_lagoons_beach_as_low_as_they_come_to_it() {
+    let mut seen = 0;
+    for row in 0..200u32 {
+        let at = [700_000_000, 2_300_000_000 + 53_590 * row];
+        let left = |d: f64| Reef::depth_on(1.0, at, 1.0, [d, d], 0.1 * d, RESOLUTION_M, FAR_M).1;
+        seen += usize::from(left(1.0) < 0.3);
+        for ashore_m in [0.0, 5.0, 100.0] {
+            assert!((left(-ashore_m) - left(0.01)).abs() < 0.01, "{} by {}", left(-ashore_m), left(0.01));
+        }
+        assert_eq!(left(-reefs::ASHORE_M - 1.0), 1.0);
+    }
+    assert!(seen > 100, "{seen} lagoons");
+}
+
+#[test]
+fn a_ride_goes_as_high_as_a_reef_leaves_the_waves() {
+    let (mut seas, settings) = (Seas::default(), Settings { beaufort: Some(5), ..Settings::default() });
+    let (lat, lon) = (-0.305, -2.615);
+    let mut rides = |left: f64| -> Vec<f64> {
+        seas.tell_reef(lat, lon, left);
+        (0..20).map(|i| seas.height_at(&settings, lat, lon, 1_782_039_600.0 + f64::from(i))).collect()
+    };
+    let (open, behind) = (rides(1.0), rides(0.12));
+    let rms = |heights: &[f64]| heights.iter().map(|height| height * height).sum::<f64>().sqrt();
+    let ratio = rms(&behind) / rms(&open);
+    println!("{ratio:.3} of the open sea's height");
+    // The ripples are their own.
+    assert!((0.10..0.2).contains(&ratio), "{ratio}");
+    // What is told of one place says nothing of another.
+    assert_eq!((seas.left_by_reefs(lat, lon), seas.left_by_reefs(lat, 1.0)), (0.12, 1.0));
+}
+
+#[test]
+fn no_reef_raises_the_bed_farther_out_than_it_reaches() {
+    for wide_m in [-1e4, 0.0, 3_000.0] {
+        for pass_m in [0.0, 1e4] {
+            let reef = Reef { share: 1.0, crest_m: reefs::FARTHEST_M, shallow_m: 0.7, pass_m, wide_m };
+            for plain_m in [10.0, 200.0, 1_500.0] {
+                let depth_m = reef.depth_m(reefs::REACH_M, plain_m, 0.3, FAR_M);
+                assert!(depth_m >= plain_m, "{depth_m} instead of {plain_m} m");
+            }
+        }
+    }
+    const { assert!(reefs::ENCLOSED_TO_M[1] < reefs::REACH_M, "no lagoon between two shores is wider") };
 }
 
 #[test]

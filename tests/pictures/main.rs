@@ -17,6 +17,7 @@ mod mirrored_land;
 mod night;
 mod own_world;
 mod plane_beach;
+mod reefs;
 mod relief;
 mod ride;
 mod rivers;

@@ -12,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::{headless, instant, parse_size, parse_state, picture, write_png};
 use crate::cli::progress::bar;
 use crate::error::{Error, Result};
-use crate::renderer::Radiance;
-use crate::scene::sea::Seas;
+use crate::renderer::{Radiance, Renderer};
 use crate::scene::time::SceneTime;
 use crate::scene::view::camera::Camera;
 use crate::scene::view::flight::Flight;
@@ -106,7 +105,7 @@ struct Frames {
 
 impl Frames {
     /// The state that frame `index` (0…frames − 1) shows: exactly the ends at the ends.
-    fn state(&self, index: u32, seas: &mut Seas) -> ViewState {
+    fn state(&self, index: u32, renderer: &mut Renderer) -> ViewState {
         let last = self.record.frames - 1;
         let along_s = self.flight.duration_s() * f64::from(index) / f64::from(last);
         let unix_seconds = self.record.start_unix_s + self.from.rate * f64::from(index) / self.record.fps;
@@ -115,7 +114,7 @@ impl Frames {
         let riding = rides[0] + (rides[1] - rides[0]) * self.flight.eased(along_s);
         // An eye that begins or ends its ride on the way is lifted by a part of the wave below it.
         if riding > 0.0 && riding < 1.0 {
-            camera = seas.lifted(&self.from.settings, &camera, riding, unix_seconds);
+            camera = renderer.lifted(&self.from.settings, &camera, riding, unix_seconds);
         }
         ViewState { camera, ride: riding == 1.0, time: SceneTime::At(unix_seconds), ..self.from.clone() }
     }
@@ -202,7 +201,7 @@ pub fn run(ends: [&String; 2], args: &FlightArgs, size: &str, folder: &Path, dat
         let bar = bar("frames", args.frames as usize).with_position(kept as u64);
         for (index, path) in &missing {
             renderer.forget();
-            let state = frames.state(*index, renderer.seas_mut());
+            let state = frames.state(*index, &mut renderer);
             let rgba = picture(&mut renderer, &state, size)?;
             put(path, |part| write_png(part, size, &rgba))?;
             bar.inc(1);

@@ -7,7 +7,7 @@ use crate::data::tile::{Layer, Projection, TILE_TEXELS, TileId, lat_lon_from_map
 use crate::data::water::{STEPS_PER_TEXEL, unpacked};
 use crate::data::{SharedTexels, TileTexels};
 use crate::model::reefs::{self, Reef};
-use crate::model::rugged;
+use crate::model::rugged::{self, Around};
 use crate::model::sea_bed::{Coast, Grid, grid_level, shaped_on};
 use crate::model::shore_waves::Bed;
 
@@ -98,10 +98,9 @@ impl World {
                         let (values, at) = around(*id, texels, map_x, map_y);
                         reefs::share([map_x, map_y], sin_lat, between(values, at), texel_size_m(map, id.z, lat))
                     });
-                let wide_m = wide_water[at].as_ref().map_or(shore, |(id, texels)| {
-                    let (distances, at) = around(*id, texels, map_x, map_y);
-                    between(distances, at) * texel_size_m(map, id.z, lat)
-                });
+                let wide_m = wide_water[at]
+                    .as_ref()
+                    .map_or(shore, |(id, texels)| splined(*id, texels, map_x, map_y) * texel_size_m(map, id.z, lat));
                 let point = [map_x, map_y].map(|x| (x.rem_euclid(1.0) * 4_294_967_296.0) as u32);
                 depth_m.push(
                     Reef::depth_on(share, point, libm::cos(lat), [shore, wide_m], plain, resolution_m, coast.far_m).0,
@@ -135,12 +134,30 @@ fn around(id: TileId, texels: &TileTexels, x: f64, y: f64) -> ([f64; 4], [f64; 2
         (low, at - low as f64)
     };
     let ((i, f), (j, g)) = (within(x, id.x), within(y, id.y));
-    let texel = |i: usize, j: usize| match texels {
+    let texel = |i, j| texel(texels, i, j);
+    ([texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)], [f, g])
+}
+
+/// What [`around`] has of one texel.
+fn texel(texels: &TileTexels, i: usize, j: usize) -> f64 {
+    match texels {
         TileTexels::Terrain(texels) => f64::from(texels[j * TILE_TEXELS + i]),
         TileTexels::Water(texels) => f64::from(unpacked(texels[j * TILE_TEXELS + i]).0[0]) / STEPS_PER_TEXEL,
         TileTexels::Imagery(_) => 0.0,
+    }
+}
+
+/// The same between nine texels, as far as the tile goes, as shaders and samples have shores.
+fn splined(id: TileId, texels: &TileTexels, x: f64, y: f64) -> f64 {
+    let across = f64::from(1u32 << id.z);
+    let within = |at: f64, tile: u32| {
+        let at = (at * across - f64::from(tile)).rem_euclid(across) * TILE_TEXELS as f64;
+        let at = at.clamp(0.0, TILE_TEXELS as f64 - 1e-6);
+        (at as usize, at - at.floor() - 0.5)
     };
-    ([texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)], [f, g])
+    let ((i, f), (j, g)) = (within(x, id.x), within(y, id.y));
+    let beside = |at: usize| [at.saturating_sub(1), at, (at + 1).min(TILE_TEXELS - 1)];
+    Around::any(beside(j).map(|j| beside(i).map(|i| texel(texels, i, j))), [f, g]).mean_m
 }
 
 /// Between four values.

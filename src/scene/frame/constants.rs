@@ -97,6 +97,7 @@ fn reef_numbers() -> String {
         ("REEFS_COMES_OVER", reefs::COMES_OVER),
         ("REEFS_CALMED", reefs::CALMED),
         ("REEFS_OPEN", reefs::OPEN_M),
+        ("REEFS_ASHORE", reefs::ASHORE_M),
     ];
     let ranges = [
         ("REEFS_WARM", reefs::WARM),

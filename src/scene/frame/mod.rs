@@ -174,7 +174,8 @@ impl Frame {
         // In a trough the eye may be below the ellipsoid and over the water.
         let among_waves = camera.altitude_m.abs() < sea.crest_m() + CUT_M;
         let surface_m = if among_waves { seas.surface_height(settings, camera, unix_seconds) } else { 0.0 };
-        let local_height_m = seas.shelter.hs_m(&sea, Water::Ocean, camera.lat, camera.lon);
+        let local_height_m =
+            seas.left_by_reefs(camera.lat, camera.lon) * seas.shelter.hs_m(&sea, Water::Ocean, camera.lat, camera.lon);
         let wanted = settings.shown_foam();
         let may_show = wanted.rule == FoamRule::Folding && camera.altitude_m < foam::HIGHEST_M;
         let whitecaps = seas.whitecaps(wanted, &sea, may_show);

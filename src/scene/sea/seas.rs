@@ -19,7 +19,7 @@ use crate::model::sea_tables::SeaTables;
 use crate::model::wave_data::{Making, WaveData};
 use crate::model::waves;
 use crate::scene::sea::foam::Whitecaps;
-use crate::scene::sea::shelter::{Shelter, of_patches};
+use crate::scene::sea::shelter::{Shelter, behind_reefs, of_patches};
 use crate::scene::sea::tables::{patch_samples, sea_of};
 use crate::scene::sea::thresholds::Thresholds;
 use crate::scene::settings::{Foam, Settings};
@@ -55,6 +55,8 @@ pub struct Seas {
     patches: Option<(Arc<SeaTables>, u64, Arc<DrawnPatches>)>,
     revision: u64,
     work: Work,
+    /// A place, latitude and longitude, and what coral reefs leave of the waves' height there, which the world tells.
+    reef: Option<[f64; 3]>,
     /// Where land stands in its way.
     pub shelter: Shelter,
 }
@@ -195,6 +197,18 @@ impl Seas {
         whitecaps
     }
 
+    /// What coral reefs leave of the waves' height at a place, until another is told.
+    pub fn tell_reef(&mut self, lat: f64, lon: f64, left: f64) {
+        self.reef = Some([lat, lon, left]);
+    }
+
+    /// What they leave there, as far as it has been told.
+    pub fn left_by_reefs(&self, lat: f64, lon: f64) -> f64 {
+        self.reef
+            .filter(|&[known_lat, known_lon, _]| known_lat == lat && known_lon == lon)
+            .map_or(1.0, |[.., left]| left)
+    }
+
     /// Height in metres of the drawn water over the ellipsoid at geodetic `lat`, `lon`, radians.
     pub fn height_at(&mut self, settings: &Settings, lat: f64, lon: f64, unix_seconds: f64) -> f64 {
         let tables = self.drawn(settings);
@@ -202,7 +216,8 @@ impl Seas {
             return 0.0;
         }
         let ticks = waves::ticks_from_unix(unix_seconds);
-        let gains = of_patches(self.shelter.around(Water::Ocean, lat, lon));
+        let sheltered = of_patches(self.shelter.around(Water::Ocean, lat, lon));
+        let gains = behind_reefs(sheltered, self.left_by_reefs(lat, lon));
         let [a, b, c, d] = gains.map(f64::to_bits);
         let place = [settings.wind_from().to_bits(), lat.to_bits(), lon.to_bits(), ticks, a, b, c, d];
         if let Some((of, known, height_m)) = &self.height

@@ -52,8 +52,6 @@ const HILLS_M: f64 = 2.0 * rugged::DROWNED_HILLS_M[0];
 const DROWNED_TO_M: f64 = 12_000.0;
 /// Walls that are seen against the sea or the sky are no farther inland, metres.
 const WALLS_TO_M: f64 = 2_000.0;
-/// No farther out of a reef's crest than this the bed is less deep than data have it, metres.
-const REEF_WIDE_M: f64 = 600.0;
 /// Relief stands no higher over the data, metres.
 const HIGHEST_RELIEF_M: f64 = 2_000.0;
 /// Cells of tiles with relief are at most so many pixels wide, and [`Frame::wider_ground`](crate::scene::frame::Frame::wider_ground) times that in a coarse
@@ -216,7 +214,7 @@ fn may_have_reef(id: TileId, tiles: &Streaming) -> bool {
     let is_warm = id.projection == Projection::Mercator && south.max(0.0).max(-north).sin() < reefs::WARM[1];
     let around = id.ancestor(AROUND).unwrap_or(id);
     let is_deep = || tiles.elevations_m(around, around.z).is_none_or(|around| around.least < ISLAND_BED_M);
-    let is_near = || tiles.shore_m(id, id.z).is_none_or(|shore_m| shore_m.least < reefs::FARTHEST_M + REEF_WIDE_M);
+    let is_near = || tiles.shore_m(id, id.z).is_none_or(|shore_m| shore_m.least < reefs::REACH_M);
     is_warm && tiles.is_coarse() && is_near() && is_deep()
 }
 
