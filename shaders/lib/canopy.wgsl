@@ -32,7 +32,7 @@ const CROWN_BLOCKS = 7u;           // of four cells, that a sight crosses at mos
 const CROWN_CROSSED = 4.0;         // cells that it goes while it sinks by the height of the highest, at most
 const CROWN_TALL = vec2f(0.8, 1.5);          // height of a crown over its radius: broad ones, and pointed ones of cold places
 const CROWN_LIGHT = vec3f(0.12, 0.36, 1.15);  // of what is seen down to the ground, of crowns' feet and of their tops
-const CROWN_MEAN = vec2f(0.597, 0.502);       // of that, seen from above, of broad crowns and of pointed ones
+const CROWN_MEAN = vec2f(0.597, 0.511);       // of that, seen from above, of broad crowns and of pointed ones
 const CROWN_SLIM = 0.12;           // by how much pointed ones are narrower
 
 struct Crown { radius: f32, middle: vec2f, base: f32, word: u32 }

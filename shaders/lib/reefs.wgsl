@@ -9,16 +9,16 @@ const REEFS_CORALS_TO: Metres = 90.0;      // out of the crest they cover all
 // `wide`: the mean distance to the shore about it.
 struct Reef { share: f32, crest: Metres, shallow: Metres, pass_way: Metres, wide: Metres }
 
-fn out_of_cold(at: vec2f, cold: vec4f) -> f32 {
-    let off = (at - cold.xy) / cold.zw;
-    return smoothstep(REEFS_COLD_ENDS.x, REEFS_COLD_ENDS.y, dot(off, off));
+fn out_of(at: vec2f, ellipse: vec4f) -> f32 {
+    let off = (at - ellipse.xy) / ellipse.zw;
+    return smoothstep(REEFS_WITHOUT_ENDS.x, REEFS_WITHOUT_ENDS.y, dot(off, off));
 }
 
 // How far there is a reef about a place where the mean elevation of so wide texels is so high.
 fn reef_share(point: MapPoint, sin_lat: f32, mean: Metres, width: Metres) -> f32 {
     let at = vec2f(point.at) / 4294967296.0;
     let warm = 1.0 - smoothstep(REEFS_WARM.x, REEFS_WARM.y, abs(sin_lat));
-    let clear = warm * out_of_cold(at, REEFS_COLD_FIRST) * out_of_cold(at, REEFS_COLD_SECOND) * smoothstep(0.5, 0.95, -100.0 * mean / width);
+    let clear = warm * out_of(at, REEFS_WITHOUT_FIRST) * out_of(at, REEFS_WITHOUT_SECOND) * out_of(at, REEFS_WITHOUT_THIRD) * smoothstep(0.5, 0.95, -100.0 * mean / width);
     return select(0.0, clear, (point.square == MERCATOR) & (frame.terrain_resolution >= REEFS_MEASURED));
 }
 

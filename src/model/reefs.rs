@@ -20,11 +20,12 @@ use super::sea_bed::{smoothstep, trusted_m};
 
 /// Sines of 23 and 25.5 degrees, between which the sea becomes too cold for them.
 pub const WARM: [f64; 2] = [0.391, 0.431];
-/// Where cold water wells up: middles and half axes of ellipses on Mercator's square, from the Marquesas to the Americas, and from Cape Verde and Fernando de
-/// Noronha to Africa.
-pub const COLD: [[f64; 4]; 2] = [[0.197, 0.5111, 0.0972, 0.0563], [0.4722, 0.4889, 0.0667, 0.0735]];
+/// Where there are none: middles and half axes of ellipses on Mercator's square. From the Marquesas to the Americas, and from Cape Verde and Fernando de
+/// Noronha to Africa, cold water wells up; the Bahamas are a bank, shallow far out.
+pub const WITHOUT: [[f64; 4]; 3] =
+    [[0.197, 0.5111, 0.0972, 0.0563], [0.4722, 0.4889, 0.0667, 0.0735], [0.2894, 0.4313, 0.0181, 0.013]];
 /// Between these squares of the way from their middles, of the axes, it goes over.
-pub const COLD_ENDS: [f64; 2] = [0.9, 1.15];
+pub const WITHOUT_ENDS: [f64; 2] = [0.9, 1.15];
 /// Cells of noises over two to these powers units of the map: 4.9 km and 1.2 km at the equator, by which the crest is farther off or nearer, and that of passes.
 pub const BITS: [u32; 3] = [19, 17, 19];
 /// How far off the crest is in the mean, metres.
@@ -85,11 +86,11 @@ pub const REACH_M: f64 = FARTHEST_M + 600.0;
 /// `texel_m` wide, of level [`rugged::ISLAND_LEVEL`], is `mean_m`: on shelves waters are muddy, and reefs others.
 pub fn share([x, y]: [f64; 2], sin_lat: f64, mean_m: f64, texel_m: f64) -> f64 {
     let warm = 1.0 - smoothstep(WARM[0], WARM[1], sin_lat.abs());
-    let cold = COLD.map(|[east, south, wide, high]| {
+    let without = WITHOUT.map(|[east, south, wide, high]| {
         let off = [(x - east) / wide, (y - south) / high];
-        smoothstep(COLD_ENDS[0], COLD_ENDS[1], off[0] * off[0] + off[1] * off[1])
+        smoothstep(WITHOUT_ENDS[0], WITHOUT_ENDS[1], off[0] * off[0] + off[1] * off[1])
     });
-    warm * cold[0] * cold[1] * rugged::oceanic(mean_m, texel_m)
+    warm * without.iter().product::<f64>() * rugged::oceanic(mean_m, texel_m)
 }
 
 /// What a reef is like about a place.

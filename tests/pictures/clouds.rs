@@ -25,7 +25,7 @@ const DECK: &str = "#view=35,-30,4,0,84&wind=6@250&quality=low&time=2026-06-21T1
 #[test]
 fn clouds_can_be_taken_away() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
-    for view in [DECK, "#view=10,-30,9000000&quality=low&time=2026-06-21T14:00:00Z"] {
+    for view in [&DECK.replace("-30", "-42"), "#view=10,-30,9000000&quality=low&time=2026-06-21T14:00:00Z"] {
         let mut of = |clouds: &str| picture(&mut renderer, &format!("{view}{clouds}"), SIZE);
         let [clear, cloudy, hidden] = ["&clouds=0", "&clouds=0.6", "&clouds=0.6&layers=-clouds"].map(&mut of);
         let changed =
@@ -335,27 +335,23 @@ fn a_sea_under_closed_clouds_has_no_glints_of_a_sun_that_has_not_risen() {
 fn the_sea_mirrors_clouds_that_the_rising_sun_shines_on_from_below() {
     const SIZE: [u32; 2] = [160, 90];
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
-    // Away from the sun, and across; the horizon is in the upper half.
-    for (heading, clouds, time) in [(240, 0.6, "05:30"), (150, 0.8, "05:40")] {
-        let link = format!(
-            "#view=47,-20,15,{heading},84&bft=4&clouds={clouds}&time=2026-06-21T{time}:00Z&quality=high&layers=-foam"
-        );
-        let state = render::parse_state(&link).unwrap();
-        let _ = render::draw(&mut renderer, &state, SIZE, Output::Picture).unwrap();
-        let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
-        let part = |texel: &[u8], at: usize| half::f16::from_le_bytes([texel[2 * at], texel[2 * at + 1]]).to_f64();
-        // Red over blue of a band of rows.
-        let hue = |rows: std::ops::Range<usize>| {
-            let band = bytes.chunks_exact(8).skip(rows.start * SIZE[0] as usize).take(rows.len() * SIZE[0] as usize);
-            let [red, blue] = band.fold([0.0; 2], |[red, blue], texel| [red + part(texel, 0), blue + part(texel, 2)]);
-            red / blue
-        };
-        let [sky, sea] = [hue(0..24), hue(38..60)];
-        println!("{heading} degrees: red over blue {sky:.3} in the sky, {sea:.3} in the sea under it");
-        // Rough water mirrors the sky as high as this, but a third of the clouds is hidden in blue haze or gaps, and a fifth of the light is that from within
-        // the water, which has no red: two thirds of four fifths.
-        assert!(sea > 0.5 * sky, "{sea} {sky}");
-    }
+    // Away from the sun; the horizon is in the upper half.
+    let link = "#view=47,-20,15,240,84&bft=4&clouds=0.6&time=2026-06-21T05:30:00Z&quality=high&layers=-foam";
+    let state = render::parse_state(link).unwrap();
+    let _ = render::draw(&mut renderer, &state, SIZE, Output::Picture).unwrap();
+    let bytes = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
+    let part = |texel: &[u8], at: usize| half::f16::from_le_bytes([texel[2 * at], texel[2 * at + 1]]).to_f64();
+    // Red over blue of a band of rows.
+    let hue = |rows: std::ops::Range<usize>| {
+        let band = bytes.chunks_exact(8).skip(rows.start * SIZE[0] as usize).take(rows.len() * SIZE[0] as usize);
+        let [red, blue] = band.fold([0.0; 2], |[red, blue], texel| [red + part(texel, 0), blue + part(texel, 2)]);
+        red / blue
+    };
+    let [sky, sea] = [hue(0..24), hue(38..60)];
+    println!("red over blue {sky:.3} in the sky, {sea:.3} in the sea under it");
+    // Rough water mirrors the sky as high as this; a sixth of the light is that from within the water, which has no red, and a fifth of what it
+    // mirrors the blue haze before the clouds.
+    assert!(sea > 0.66 * sky, "{sea} {sky}");
 }
 
 #[test]

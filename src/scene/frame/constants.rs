@@ -101,7 +101,7 @@ fn reef_numbers() -> String {
     ];
     let ranges = [
         ("REEFS_WARM", reefs::WARM),
-        ("REEFS_COLD_ENDS", reefs::COLD_ENDS),
+        ("REEFS_WITHOUT_ENDS", reefs::WITHOUT_ENDS),
         ("REEFS_CREST_VARIES", reefs::CREST_VARIES),
         ("REEFS_CREST_DEPTH", reefs::CREST_DEPTH_M),
         ("REEFS_PASS", reefs::PASS_M),
@@ -116,15 +116,19 @@ fn reef_numbers() -> String {
         ("REEFS_ENCLOSED", reefs::ENCLOSED_M),
         ("REEFS_ENCLOSED_TO", reefs::ENCLOSED_TO_M),
     ];
-    let cold = [("REEFS_COLD_FIRST", reefs::COLD[0]), ("REEFS_COLD_SECOND", reefs::COLD[1])];
+    let without = [
+        ("REEFS_WITHOUT_FIRST", reefs::WITHOUT[0]),
+        ("REEFS_WITHOUT_SECOND", reefs::WITHOUT[1]),
+        ("REEFS_WITHOUT_THIRD", reefs::WITHOUT[2]),
+    ];
     let numbers = numbers.map(|(name, number)| format!("const {name}: f32 = {number:?};\n"));
     let ranges = ranges.map(|(name, [from, to])| format!("const {name} = vec2f({from:?}, {to:?});\n"));
-    let cold =
-        cold.map(|(name, [x, y, wide, high])| format!("const {name} = vec4f({x:?}, {y:?}, {wide:?}, {high:?});\n"));
+    let without =
+        without.map(|(name, [x, y, wide, high])| format!("const {name} = vec4f({x:?}, {y:?}, {wide:?}, {high:?});\n"));
     let [wide, fine, pass] = reefs::BITS;
     numbers.concat()
         + &ranges.concat()
-        + &cold.concat()
+        + &without.concat()
         + &format!(
             "const REEFS_BITS = vec3u({wide}u, {fine}u, {pass}u);\nconst REEFS_WIDE_LEVEL = {}u;\n",
             reefs::WIDE_LEVEL
