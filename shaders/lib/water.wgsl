@@ -96,5 +96,7 @@ fn water_radiance(w: WaterPoint, light: Daylight, clear: Daylight) -> vec3f {
     // Where all else outshines the mean of the facets single ones do not stand out.
     let standing_out = smoothstep(STANDS_OUT.x, STANDS_OUT.y, glints.g / max(reflected.g + through.g, 1e-9));
     let sparkling = mix(1.0, sparkle(w.facets, mean_glitter.chance), standing_out);
-    return mix((1.0 - w.foam.shade) * (reflected + sparkling * glints + through), foam_radiance(w.foam, w.normal, w.up, frame.light, sun, ambient), w.foam.white);
+    let sunny = clear.sun.g / max(clear.sun.g + clear.sky.g, 1e-9);
+    let foam = foam_radiance(w.foam, w.normal, w.up, frame.light, sun, ambient, sunny);
+    return mix((1.0 - w.foam.shade) * (reflected + sparkling * glints + through), foam, w.foam.white);
 }
