@@ -31,7 +31,7 @@ const WISPY = 0.06;                     // deviations over which clouds' edges g
 const CRISP_FROM = 0.25;                // height in the layer from which on they are crisp, and so many times as dense
 const CRISP = 4.0;
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
-const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones: a grazing sight from below meets their thin edges first
+const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones; a grazing sight from below meets the thin edges of others first
 const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
 const CLOSED_TO = 1.8;
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
@@ -142,7 +142,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let light = clouded_daylight_at_eye(sunny);
     let clear = light.air;
     let once = cloud_once(dot(direction, frame.light));
-    let closed_ahead = CLOSED_CLOUD * (1.0 - clear) * (1.0 - saturate(direction.z));
+    let closed_ahead = CLOSED_CLOUD * (1.0 - clear);
     let stretch = layer_stretch(ray, far);
     let length = max(stretch.last - stretch.first - (stretch.returns - stretch.leaves), 0.0);
     let is_wide = GLOBE | (stretch.first * cloud_pixel() > WIDE_PIXEL);
@@ -212,7 +212,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
             let thick = depth * mix(1.0, 1.5 * top, wideness * mix(0.6, 1.0, closed));
             let scatters = CLOUD_SCATTERS * mix(1.0, 0.4, closed) * mottled * pow(gaps, 0.3) * thick;
             var heap = in_heap(height, top, scatters, cloud, met_excess, mu, wideness, facing, closed);
-            heap.above = max(closed_ahead, heap.above);
+            heap.above = max(closed_ahead * mix(1.0 - saturate(direction.z), 1.0, closed), heap.above);
             // Closed clouds are level: they have the less of a low sun's light the lower it stands. So have wide pixels' clouds, of which all sides count.
             let level_lit = clamp(mu / LEVEL_LIT, LEAST_LIT, 1.0);
             let sun = SUN_IRRADIANCE * sunlight(mix(CLOUD_TOP, HIGH_TOPS, wideness), mu) * mix(1.0, level_lit, max(closed, wideness));
