@@ -1,6 +1,7 @@
 // The weather of clouds over the whole earth, in axes that drift with them: levels of a normal field (src/model/clouds.rs), by octahedral
 // coordinates (lib/clouds.wgsl). x: water clouds; y: ice clouds. src/pass/cloud_map.rs puts STORMS, CLOUD_SIDE and CLOUD_VARIANCE first.
 #import cloud_noise
+#import trigonometry
 
 const TAU = 6.283185307179586;
 
@@ -40,8 +41,8 @@ fn cloud_belts(sin_lat: f32) -> f32 {
 }
 
 fn turned_about(v: vec3f, axis: vec3f, angle: f32) -> vec3f {
-    let c = cos(angle);
-    return c * v + sin(angle) * cross(axis, v) + (1.0 - c) * dot(axis, v) * axis;
+    let turn = sine_cosine(angle);
+    return turn.cosine * v + turn.sine * cross(axis, v) + (1.0 - turn.cosine) * dot(axis, v) * axis;
 }
 
 // Octaves from `first` cells a radian on, of a place that storms have moved; normal.
@@ -97,7 +98,7 @@ fn weathered(d: vec3f, which: u32) -> vec2f {
         let wound = 0.5 * STORM_WINDS * log((away + STORM_EYE * STORM_EYE) / (away + STORM_REACH * STORM_REACH)) * exp(-away / 8.0);
         p = turned_about(p, storm.xyz, side * wound);
         let east = normalize(vec3f(-storm.y, storm.x, 0.0));
-        let turn = atan2(side * dot(p, cross(storm.xyz, east)), dot(p, east)) / TAU;
+        let turn = angle_of(side * dot(p, cross(storm.xyz, east)), dot(p, east)) / TAU;
         let part = FRONT_PART * exp(-away / FRONT_WIDE);
         fronts += left * part * front(fract(turn + FRONT_TURN + uneven), abs(storm.w) * sqrt(away));
         left *= sqrt(1.0 - part * part);

@@ -14,12 +14,15 @@ fn out_of(at: vec2f, ellipse: vec4f) -> f32 {
     return smoothstep(REEFS_WITHOUT_ENDS.x, REEFS_WITHOUT_ENDS.y, dot(off, off));
 }
 
+// Whether the data leave reefs to be made up, and tell where.
+fn has_reefs() -> bool { return frame.terrain_resolution >= REEFS_MEASURED && frame.terrain_resolution < REEFS_COARSEST; }
+
 // How far there is a reef about a place where the mean elevation of so wide texels is so high.
 fn reef_share(point: MapPoint, sin_lat: f32, mean: Metres, width: Metres) -> f32 {
     let at = vec2f(point.at) / 4294967296.0;
     let warm = 1.0 - smoothstep(REEFS_WARM.x, REEFS_WARM.y, abs(sin_lat));
     let clear = warm * out_of(at, REEFS_WITHOUT_FIRST) * out_of(at, REEFS_WITHOUT_SECOND) * out_of(at, REEFS_WITHOUT_THIRD) * smoothstep(0.5, 0.95, -100.0 * mean / width);
-    return select(0.0, clear, (point.square == MERCATOR) & (frame.terrain_resolution >= REEFS_MEASURED));
+    return select(0.0, clear, (point.square == MERCATOR) & has_reefs());
 }
 
 // Mean distance to the ocean's shore about a place, texels of the page. The loop ends at its foot.

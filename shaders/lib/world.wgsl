@@ -49,7 +49,7 @@ const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which cora
 // What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.
 fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
     var reefs = 0.0;
-    if (abs(sin_lat) < REEFS_WARM.y) & (frame.terrain_resolution >= REEFS_MEASURED) {
+    if (abs(sin_lat) < REEFS_WARM.y) & has_reefs() {
         let wide = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
         reefs = reef_share(point, sin_lat, bilinear(false, point, wide).x, texel_metres(point, f32(wide.level), sin_lat));
     }

@@ -142,7 +142,7 @@ pub fn sample(
     };
     let (mut relief_made_m, mut waves_left) = (relief_made_m, 1.0);
     let coast = Coast::new(grid, terrain.resolution_m, libm::sin(lat));
-    let has_reefs = ocean_m > -reefs::ASHORE_M && rugged::is_coarse(terrain.resolution_m);
+    let has_reefs = ocean_m > -reefs::ASHORE_M && reefs::are_in(terrain.resolution_m);
     let share =
         if has_reefs && projection == Projection::Mercator { map.reef_share(terrain.deepest, lat)? } else { 0.0 };
     if share > 0.0 {

@@ -18,6 +18,8 @@ use super::noise::map_noise;
 use super::rugged;
 use super::sea_bed::{smoothstep, trusted_m};
 
+/// Data whose cells are wider, metres, do not tell islands in a deep sea from the edges of continents. Ours: twice those of the bundled world.
+pub const COARSEST_M: f64 = 20_000.0;
 /// Sines of 23 and 25.5 degrees, between which the sea becomes too cold for them.
 pub const WARM: [f64; 2] = [0.391, 0.431];
 /// Where there are none: middles and half axes of ellipses on Mercator's square. From the Marquesas to the Americas, and from Cape Verde and Fernando de
@@ -81,6 +83,11 @@ pub const BY_PASS_M: [f64; 2] = [100.0, 600.0];
 pub const ASHORE_M: f64 = 500.0;
 /// No farther off a shore, metres, the bed is less deep than data have it: 600 m out of the farthest crest the fore reef is deeper than any bed about islands.
 pub const REACH_M: f64 = FARTHEST_M + 600.0;
+
+/// Whether elevations of a resolution (metres; 0: not known) leave reefs to be made up, and tell where.
+pub fn are_in(resolution_m: f64) -> bool {
+    rugged::is_coarse(resolution_m) && resolution_m < COARSEST_M
+}
 
 /// How far there is a reef about islands, 0 to 1, at a place of Mercator's map, `x` and `y` from 0 to 1, at a latitude of this sine, where the mean elevation in texels
 /// `texel_m` wide, of level [`rugged::ISLAND_LEVEL`], is `mean_m`: on shelves waters are muddy, and reefs others.

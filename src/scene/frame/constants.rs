@@ -87,6 +87,7 @@ fn reef_numbers() -> String {
     let numbers = [
         ("EARTH_ROUND", std::f64::consts::TAU * WGS84.a),
         ("REEFS_MEASURED", rugged::MEASURED_M),
+        ("REEFS_COARSEST", reefs::COARSEST_M),
         ("REEFS_CREST", reefs::CREST_M),
         ("REEFS_FARTHEST", reefs::FARTHEST_M),
         ("REEFS_FLAT", reefs::FLAT_M),
