@@ -41,17 +41,21 @@ fn wide_shore(point: MapPoint, page: Page, none: bool) -> f32 {
 
 // The loop ends at its foot: where there is none it is gone through once.
 fn reef_at(share: f32, at: vec2u, cos_lat: f32, wide: Metres, none: bool) -> Reef {
-    var noises = array<vec3f, 3>(vec3f(0.0), vec3f(0.0), vec3f(0.0));
+    var noises = array<vec3f, 4>(vec3f(0.0), vec3f(0.0), vec3f(0.0), vec3f(0.0));
     var k = 0u;
     loop {
         noises[k] = map_noise_rise(at, 32u - REEFS_BITS[k], 111u + k);
         k++;
-        if k == 3u || none { break; }
+        if k == 4u || none { break; }
     }
+    let values = vec3f(noises[0].x, noises[1].x, noises[3].x);
+    let varied = exp2(dot(REEFS_CREST_VARIES, values));
     let cell = EARTH_ROUND * cos_lat / f32(1u << (32u - REEFS_BITS.z));
-    let varied = exp2(REEFS_CREST_VARIES.x * noises[0].x + REEFS_CREST_VARIES.y * noises[1].x);
-    return Reef(share, min(share * REEFS_CREST * varied, REEFS_FARTHEST), REEFS_CREST_DEPTH.x + REEFS_CREST_ROUGH * noises[1].x,
-        cell * abs(noises[2].x) / max(length(noises[2].yz), 0.3), wide);
+    // The finer one rises within so much shorter cells.
+    let steeper = f32(1u << (REEFS_BITS.z - REEFS_BITS.y));
+    let line = noises[2] + REEFS_PASS_BENDS * vec3f(1.0, steeper, steeper) * noises[1];
+    return Reef(share, min(share * REEFS_CREST * varied, REEFS_FARTHEST), REEFS_CREST_DEPTH.x + dot(REEFS_CREST_ROUGH, values.yz),
+        cell * abs(line.x) / max(length(line.yz), 0.3) * exp2(REEFS_PASS_UNEVEN * values.z), wide);
 }
 
 fn reef_flat(reef: Reef) -> Metres { return min(REEFS_FLAT, REEFS_FLAT_MOST * reef.crest); }

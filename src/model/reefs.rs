@@ -28,12 +28,12 @@ pub const WITHOUT: [[f64; 4]; 3] =
     [[0.197, 0.5111, 0.0972, 0.0563], [0.4722, 0.4889, 0.0667, 0.0735], [0.2894, 0.4313, 0.0181, 0.013]];
 /// Between these squares of the way from their middles, of the axes, it goes over.
 pub const WITHOUT_ENDS: [f64; 2] = [0.9, 1.15];
-/// Cells of noises over two to these powers units of the map: 4.9 km and 1.2 km at the equator, by which the crest is farther off or nearer, and that of passes.
-pub const BITS: [u32; 3] = [19, 17, 19];
+/// Cells of noises over two to these powers units of the map: 4.9 km and 1.2 km at the equator, by which the crest is farther off or nearer, that of passes, and a third for the crest, 306 m.
+pub const BITS: [u32; 4] = [19, 17, 19, 15];
 /// How far off the crest is in the mean, metres.
 pub const CREST_M: f64 = 750.0;
 /// By how many powers of two noises change that.
-pub const CREST_VARIES: [f64; 2] = [2.4, 0.7];
+pub const CREST_VARIES: [f64; 3] = [2.4, 0.7, 0.35];
 /// No crest is farther off, metres.
 pub const FARTHEST_M: f64 = 3_000.0;
 /// How wide the flat behind it is, metres, and the part of a narrow reef that it is at most.
@@ -42,10 +42,14 @@ pub const FLAT_M: f64 = 150.0;
 pub const FLAT_MOST: f64 = 0.6;
 /// Depth of the crest, and of passes, metres.
 pub const CREST_DEPTH_M: [f64; 2] = [0.7, 22.0];
-/// By how much the finer noise changes the first.
-pub const CREST_ROUGH_M: f64 = 0.6;
+/// By how much the noises but the broadest change the first.
+pub const CREST_ROUGH_M: [f64; 2] = [0.6, 0.5];
 /// How far from the middle of a pass it is whole, and its sides end, metres.
 pub const PASS_M: [f64; 2] = [60.0, 170.0];
+/// What the finer noise bends passes' lines by, of their own, and by how many powers of two the finest makes them wider or narrower.
+pub const PASS_BENDS: f64 = 0.2;
+/// See [`PASS_BENDS`].
+pub const PASS_UNEVEN: f64 = 1.2;
 /// Crests nearer than the first have none, farther than the second all, metres.
 pub const PASS_CREST_M: [f64; 2] = [150.0, 400.0];
 /// Depth of the channel of a lagoon that is so wide, and a narrow one's, metres.
@@ -118,14 +122,18 @@ pub struct Reef {
 impl Reef {
     /// At a place of the map in units of 2^-32 of its side, where there is so much of one, at a latitude of this cosine.
     pub fn new(share: f64, at: [u32; 2], cos_lat: f64, wide_m: f64) -> Self {
-        let [wide, fine, pass] = [(0, 111), (1, 112), (2, 113)].map(|(k, salt)| map_noise(at, BITS[k], salt));
+        let [wide, fine, pass, rough] = [0, 1, 2, 3].map(|k| map_noise(at, BITS[k], 111 + k as u32));
         let cell_m = std::f64::consts::TAU * 6_378_137.0 * cos_lat / f64::from(1u32 << (32 - BITS[2]));
-        let varied = libm::exp2(CREST_VARIES[0] * wide[0] + CREST_VARIES[1] * fine[0]);
+        let varied = libm::exp2(CREST_VARIES[0] * wide[0] + CREST_VARIES[1] * fine[0] + CREST_VARIES[2] * rough[0]);
+        // The finer one rises within so much shorter cells.
+        let steeper = f64::from(1u32 << (BITS[2] - BITS[1]));
+        let line = [0, 1, 2].map(|k| pass[k] + PASS_BENDS * if k == 0 { 1.0 } else { steeper } * fine[k]);
+        let pass_m = cell_m * line[0].abs() / libm::hypot(line[1], line[2]).max(0.3);
         Self {
             share,
             crest_m: (share * CREST_M * varied).min(FARTHEST_M),
-            shallow_m: CREST_DEPTH_M[0] + CREST_ROUGH_M * fine[0],
-            pass_m: cell_m * pass[0].abs() / libm::hypot(pass[1], pass[2]).max(0.3),
+            shallow_m: CREST_DEPTH_M[0] + CREST_ROUGH_M[0] * fine[0] + CREST_ROUGH_M[1] * rough[0],
+            pass_m: pass_m * libm::exp2(PASS_UNEVEN * rough[0]),
             wide_m,
         }
     }

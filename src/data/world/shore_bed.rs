@@ -93,11 +93,10 @@ impl World {
                 face.push(coast.beach(self.beach_slope));
                 let plain = -shaped_on(elevation, grid, shore, [resolution_m, self.beach_slope], sin_lat);
                 plain_m.push(plain);
-                let share =
-                    wide[at].as_ref().filter(|_| reefs::are_in(resolution_m)).map_or(0.0, |(id, texels)| {
-                        let (values, at) = around(*id, texels, map_x, map_y);
-                        reefs::share([map_x, map_y], sin_lat, between(values, at), texel_size_m(map, id.z, lat))
-                    });
+                let share = wide[at].as_ref().filter(|_| reefs::are_in(resolution_m)).map_or(0.0, |(id, texels)| {
+                    let (values, at) = around(*id, texels, map_x, map_y);
+                    reefs::share([map_x, map_y], sin_lat, between(values, at), texel_size_m(map, id.z, lat))
+                });
                 let wide_m = wide_water[at]
                     .as_ref()
                     .map_or(shore, |(id, texels)| splined(*id, texels, map_x, map_y) * texel_size_m(map, id.z, lat));

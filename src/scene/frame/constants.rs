@@ -92,7 +92,8 @@ fn reef_numbers() -> String {
         ("REEFS_FARTHEST", reefs::FARTHEST_M),
         ("REEFS_FLAT", reefs::FLAT_M),
         ("REEFS_FLAT_MOST", reefs::FLAT_MOST),
-        ("REEFS_CREST_ROUGH", reefs::CREST_ROUGH_M),
+        ("REEFS_PASS_BENDS", reefs::PASS_BENDS),
+        ("REEFS_PASS_UNEVEN", reefs::PASS_UNEVEN),
         ("REEFS_FRINGE", reefs::FRINGE_M),
         ("REEFS_GOES_ON", reefs::GOES_ON),
         ("REEFS_COMES_OVER", reefs::COMES_OVER),
@@ -103,7 +104,7 @@ fn reef_numbers() -> String {
     let ranges = [
         ("REEFS_WARM", reefs::WARM),
         ("REEFS_WITHOUT_ENDS", reefs::WITHOUT_ENDS),
-        ("REEFS_CREST_VARIES", reefs::CREST_VARIES),
+        ("REEFS_CREST_ROUGH", reefs::CREST_ROUGH_M),
         ("REEFS_CREST_DEPTH", reefs::CREST_DEPTH_M),
         ("REEFS_PASS", reefs::PASS_M),
         ("REEFS_PASS_CREST", reefs::PASS_CREST_M),
@@ -126,12 +127,16 @@ fn reef_numbers() -> String {
     let ranges = ranges.map(|(name, [from, to])| format!("const {name} = vec2f({from:?}, {to:?});\n"));
     let without =
         without.map(|(name, [x, y, wide, high])| format!("const {name} = vec4f({x:?}, {y:?}, {wide:?}, {high:?});\n"));
-    let [wide, fine, pass] = reefs::BITS;
+    let [wide, fine, pass, rough] = reefs::BITS;
+    let varies = reefs::CREST_VARIES;
     numbers.concat()
         + &ranges.concat()
         + &without.concat()
         + &format!(
-            "const REEFS_BITS = vec3u({wide}u, {fine}u, {pass}u);\nconst REEFS_WIDE_LEVEL = {}u;\n",
+            "const REEFS_BITS = vec4u({wide}u, {fine}u, {pass}u, {rough}u);\nconst REEFS_CREST_VARIES = vec3f({:?}, {:?}, {:?});\nconst REEFS_WIDE_LEVEL = {}u;\n",
+            varies[0],
+            varies[1],
+            varies[2],
             reefs::WIDE_LEVEL
         )
 }
