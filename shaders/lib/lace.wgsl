@@ -62,8 +62,12 @@ const GUSTED = vec2f(0.25, 0.5);
 const TURNS = vec3f(1.6, 1.8, 1.6);
 const BENDS = vec3f(8.0, 4.0, 0.9);
 // Rows wind: by so many texels across the wind, over stretches of 256 and 32 m; streaks over 256, 32, 8 and 2 m. Straight ones would be grain of wood.
-const ROWS_WIND = vec2f(64.0, 14.0);
-const STREAKS_WIND = vec4f(40.0, 9.0, 2.5, 0.6);
+const ROWS_WIND = vec2f(100.0, 20.0);
+const STREAKS_WIND = vec4f(110.0, 22.0, 6.5, 1.6);
+// They fork, join and end: along the wind streaks are drawn by so many texels over stretches of 32, 8 and 2 m, each beside the next.
+const STREAKS_END = vec3f(90.0, 40.0, 6.0);
+const WINDING: f32 = 0.35;        // deviation of `wander`
+const LACE_TEXEL: Metres = 0.25;
 // Nor are they evenly spaced, as teeth of a comb: over rectangles of 128 by 32 m rows and streaks are drawn apart and together, by so many texels at most, and
 // streaks take so much more or less of the middle net.
 const UNEVEN = vec2u(9u, 7u);
@@ -83,8 +87,12 @@ const RAFTS_SHOW = vec4f(0.8, 0.7, 0.9, 0.85);
 // Dense foam is heaps with creases between them, along the walls of the nets: how much of these is whose, and how dark the deepest of them are: none is a crack.
 const CREASES = vec4f(0.4, 0.6, 0.15, 0.7);
 const CREASE: f32 = 0.3;
-const CREASE_ENDS: f32 = 0.3;      // of their depth squared, by which they end: the deepest are half as bright as foam without
-const FILM_CREASED: f32 = 0.5;     // of a deviation by which rafts of film, which gather along those walls, have more of them than the sea
+// What storms break is metres deep: heaps of the wider nets count more, which are seen from a ship's bridge, and their creases are deeper.
+const STORM_CREASES = vec4f(0.7, 0.5, 0.6, 0.45);
+const STORM_CREASE: f32 = 0.42;
+const STORM_SKEW: f32 = 0.12;      // of a deviation: the wider nets have more of heaps than of creases, and are to leave the mean
+const CREASE_ENDS: f32 = 0.3;      // of their depth squared, by which they end: the deepest are half as bright as foam without, in storms a quarter
+const FILM_CREASED: f32 = 0.4;     // of a deviation by which rafts of film, which gather along those walls, have more of them than the sea
 const BODY = vec2f(0.45, 0.9);     // opacities from which on foam of any kind has these, and at which it has all of their depth
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
@@ -94,6 +102,7 @@ const BUBBLES_BELOW: f32 = 2.0;
 const STIRRED: f32 = 0.75;
 // Levels of the nets are hollows of dense foam, ridges of thin: metres, and thin foam's part of them.
 const BUMPS = vec3f(0.12, 0.035, 0.012);
+const STORM_BUMPS = vec3f(0.6, 0.1, 0.014);
 const BUMPS_THIN: f32 = 0.15;
 
 // The inverse of the normal distribution function, within 4.5e-4 (M. Abramowitz and I. Stegun 1964, 26.2.23).
@@ -147,6 +156,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     var bent = texels;
     var in_rows = texels;
     var in_streaks = texels;
+    var of_streaks = pixel;
     var nets = mix(NETS, STORM_NETS, storm());
     var streaked = STREAKED * storm();
     if fine {
@@ -157,7 +167,9 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
         let wide = wander(texels, 10u).y;
         let uneven = wander_along(texels, UNEVEN);
         in_rows.y += dot(ROWS_WIND, vec2f(wide, far.x)) + UNEVENLY.x * uneven.x;
-        in_streaks.y += dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x)) + UNEVENLY.y * uneven.x;
+        in_streaks += vec2f(dot(STREAKS_END, vec3f(far.y, near.y, next.y)), dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x)) + UNEVENLY.y * uneven.x);
+        // Long pixels span streaks that wind within them.
+        of_streaks.y += WINDING * LACE_TEXEL * dot(STREAKS_WIND.yzw, min(pixel.x / vec3f(32.0, 8.0, 2.0), vec3f(1.0)));
         streaked = min(streaked * (1.0 + UNEVEN_STREAKS * uneven.y), vec2f(1.0));
         nets *= exp(TURNS * vec3f(near.x, far.x, near.y));
         nets /= nets.x + nets.y + nets.z;
@@ -177,7 +189,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     var film_rows = rows;
     if storm() > 0.0 {
         // Of 1490 by 47 m.
-        let streaks = net_along(finer * vec2i(11, 0), vec2i(65536, 2048), in_streaks, pixel);
+        let streaks = net_along(finer * vec2i(11, 0), vec2i(65536, 2048), in_streaks, of_streaks);
         middle = both(heaps, streaks, streaked.x);
         of_film_middle = both(heaps, streaks, streaked.y);
         // Of 2.6 by 1.3 km, turned as no other is: levels of one tile that lie in step are not independent.
@@ -203,13 +215,14 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     let dense_levels = vec4f(heaps.level, levels.yzw);
     let dense = dot(weights, dense_levels);
     // What creases have in common with the level of dense foam would darken its midst.
-    let in_dense = dot(weights.xyz, CREASES.xyz);
-    let crease = (dot(CREASES.xyz, dense_levels.xyz) + CREASES.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(CREASES, CREASES) - in_dense * in_dense);
+    let creases = mix(CREASES, STORM_CREASES, storm());
+    let in_dense = dot(weights.xyz, creases.xyz);
+    let crease = (dot(creases.xyz, dense_levels.xyz) + creases.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(creases, creases) - in_dense * in_dense);
     // Rows have no shape of their own.
     return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), film_levels), dense),
         1.0 - vec3f(dot(of_foam, kept), dot(of_film, film_kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
         mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
-        mat3x2f(heaps.slope, small.slope, bubbles.slope) * BUMPS / f32(finer), crease, 0.0);
+        mat3x2f(heaps.slope, small.slope, bubbles.slope) * mix(BUMPS, STORM_BUMPS, storm()) / f32(finer), crease, 0.0);
 }
 
 // Where the foam map is asked for a place of the water: fronts run ahead in some places and fall back in others, over widths of 8 and 2 m, by so many widths of
@@ -343,7 +356,8 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
         let body = max(thick, smoothstep(BODY.x, BODY.y, white + faint));
         tilt += mix(BUMPS_THIN, -1.0 - TUMBLED * seen.fresh * thick, body) * seen.bumps;
         let deep = seen.crease * inverseSqrt(1.0 + CREASE_ENDS * seen.crease * seen.crease);
-        open -= CREASE * (body * deep - (body - thick) * FILM_CREASED * (1.0 - seen.hidden.y));
+        let skew = STORM_SKEW * storm() * (1.0 - seen.hidden.z);
+        open -= mix(CREASE, STORM_CREASE, storm()) * (body * deep + thick * skew - (body - thick) * FILM_CREASED * (1.0 - seen.hidden.y));
         open *= 1.0 + FRONT_FACE * seen.fresh * (saturate(rise / (deviation * FRONT_FACE_RISES)) - 0.75);
     }
     return Foam(opaque, open, max(max(plume, stirred(height)), saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, seen.fresh, fine),
