@@ -145,6 +145,10 @@ fn cloud_top(level: f32, weather: f32) -> f32 {
 }
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
+const SHADOW_BLUR: Metres = 150.0;      // clouds spread what they let through over so much
+// Per metre of a heap, a deviation of the level above the edge: of the light that clouds.wgsl's droplets, 0.05 a metre in the thin base and five times that
+// over it, thinning out towards edges, scatter otherwise than ahead, 0.15.
+const HEAP_EXTINCTION = 0.02;
 const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
 
 // Share of the sky over a place that is in cloud, given the weather and the place in clouds.
@@ -163,8 +167,9 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let mu = sqrt(low * low + 2.0 * CLOUD_SHADOW / frame.semi_major);
     let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
-    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
-    let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
+    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0), 0.0);
+    let tall = cloud_top(cloud.excess + spare(weather.x), weather.x) * (CLOUD_TOP - CLOUD_BASE);
+    let through = exp(-HEAP_EXTINCTION * cloud.excess * tall / mu);
     let cover = cloud_cover(weather, overhead, footprint);
     let left = 1.0 - cloud.share * (1.0 - through);
     // Clouds take five times as much from the disc itself.
