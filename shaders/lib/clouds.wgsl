@@ -18,9 +18,9 @@ const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 // Share of the variance of all octaves before heaps, and of the first of heaps; of each octave of these, of the one before; and of what they are made of.
 const CLOUD_FIRST = 0.49;
-const HEAPS_FIRST = 0.2228;
+const HEAPS_FIRST = 0.2118;
 const HEAPS_FADE = 0.9;
-const BILLOW_FADE = 0.3;
+const BILLOW_FADE = 0.36;
 // Of each octave before heaps, of the one before: of ragged masses, of scattered clouds. The weather's levels tell where which are, a turn for so many.
 const CLOUD_FADES = vec2f(0.45, 1.3);
 const CLOUD_KINDS = vec2f(0.85, 1.55);
