@@ -63,7 +63,10 @@ const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun f
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
 // And of the field from space: with as much clouds there are soft, as if out of focus.
-const FIELD_SHOWN = select(1.0, 0.6, GLOBE);
+// Where pictures from space begin there is as much as below.
+const FIELD_FROM = vec2f(200000.0, 900000.0);   // metres of altitude
+
+fn field_shown() -> f32 { return select(1.0, mix(1.0, 0.6, smoothstep(FIELD_FROM.x, FIELD_FROM.y, frame.eye_altitude)), GLOBE); }
 
 // Where a place is in a cloud: how high over its base, of the layer; the optical depths from it towards the sun and to the base; how far its side is
 // turned to the sun, 0 to 1; and how far clouds are closed there, 0 to 1.
@@ -165,7 +168,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var deck = vec4f(1.0, 0.0, 0.0, 0.0);
     if is_wide | (stretch.last * cloud_pixel() > DECK_FROM.x) {
         let place = cloud_place(direction * deck_at);
-        deck = deck_depth(cloud_weather(place), place, FIELD_SHOWN * deck_at * cloud_pixel());
+        deck = deck_depth(cloud_weather(place), place, field_shown() * deck_at * cloud_pixel());
     }
     let relief = dot(deck.yzw, cloud_way(frame.light));
     loop {
@@ -183,7 +186,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let weather = cloud_weather(place);
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit), weather.x);
         // In clouds it is narrower than the steps: each of four neighbours takes others.
-        let footprint = max(FIELD_SHOWN * sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
+        let footprint = max(field_shown() * sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
         // A look towards the sun asks as well how high the cloud is there, by more octaves than tell whether it is one.
         let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
         let soft = mix(WISPY, CLOUD_SOFT, smoothstep(0.0, CRISP_FROM, height));
