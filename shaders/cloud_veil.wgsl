@@ -7,18 +7,36 @@
 @group(1) @binding(0) var scene_depth: texture_depth_2d;
 @group(1) @binding(1) var small: texture_2d<f32>;
 
+const SHARPENED = 0.7;      // how much more than their mean the nearest four count, against a ring of four about them
+
+// What the smaller picture shows at a pixel. Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
+// ring, in which each of the four counts as much. Their mean alone makes edges as wide as six pixels; nothing shows that none of the eight has.
+fn sharpened(at: vec2f) -> vec4f {
+    let size = vec2f(textureDimensions(small));
+    let place = at / SCALE;
+    var near = vec4f(0.0);
+    var ring = vec4f(0.0);
+    var least = vec4f(1e9);
+    var most = vec4f(0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let aside = vec2f(f32(i & 1u), f32(i >> 1u)) - 0.5;
+        // A quarter turn on from one to the next.
+        let about = aside + 2.0 * vec2f(aside.y, -aside.x);
+        let one = textureSampleLevel(small, clamped, (place + aside) / size, 0.0);
+        let other = textureSampleLevel(small, clamped, (place + about) / size, 0.0);
+        near += 0.25 * one;
+        ring += 0.25 * other;
+        least = min(least, min(one, other));
+        most = max(most, max(one, other));
+    }
+    return clamp(near + SHARPENED * (near - ring), least, most);
+}
+
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let at = corner.position.xy;
     let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
-    // Neighbours have looked elsewhere in their steps: the mean of four has no grain.
-    let size = vec2f(textureDimensions(small));
-    let place = at / SCALE;
-    var seen = vec4f(0.0);
-    for (var i = 0u; i < 4u; i++) {
-        let aside = vec2f(f32(i & 1u), f32(i >> 1u)) - 0.5;
-        seen += 0.25 * textureSampleLevel(small, clamped, (place + aside) / size, 0.0);
-    }
+    let seen = sharpened(at);
     if GLOBE { return seen; }
     let ray = eye_ray(direction);
     let hit = surface_hit(ray);

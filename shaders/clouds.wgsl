@@ -29,7 +29,7 @@ const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
 const WISPY = 0.06;                     // deviations over which clouds' edges go at their base
 const CRISP_FROM = 0.25;                // height in the layer from which on they are crisp, and so many times as dense
-const CRISP = 4.0;
+const CRISP = 5.0;
 const CLOUD_CELL: Metres = 2500.0;     // as wide as clouds are: along so much of a ray they are one
 const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones; a grazing sight from below meets the thin edges of others first
 const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
@@ -61,6 +61,12 @@ const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun f
 
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
+
+// And of the field from space: with as much clouds there are soft, as if out of focus.
+// Where pictures from space begin there is as much as below.
+const FIELD_FROM = vec2f(200000.0, 900000.0);   // metres of altitude
+
+fn field_shown() -> f32 { return select(1.0, mix(1.0, 0.6, smoothstep(FIELD_FROM.x, FIELD_FROM.y, frame.eye_altitude)), GLOBE); }
 
 // Where a place is in a cloud: how high over its base, of the layer; the optical depths from it towards the sun and to the base; how far its side is
 // turned to the sun, 0 to 1; and how far clouds are closed there, 0 to 1.
@@ -156,12 +162,13 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     var met_excess = 0.0;
     var met_over = 0.0;
     var last_x = -6.0;
+    var was_fine = false;
     // One deck a sight: where it comes into the clouds, or where its pixels have become wide enough to tell.
     let deck_at = max(stretch.first + 0.5 * min(length, DECK_WITHIN), DECK_FROM.y / cloud_pixel());
     var deck = vec4f(1.0, 0.0, 0.0, 0.0);
     if is_wide | (stretch.last * cloud_pixel() > DECK_FROM.x) {
         let place = cloud_place(direction * deck_at);
-        deck = deck_depth(cloud_weather(place), place, deck_at * cloud_pixel());
+        deck = deck_depth(cloud_weather(place), place, field_shown() * deck_at * cloud_pixel());
     }
     let relief = dot(deck.yzw, cloud_way(frame.light));
     loop {
@@ -179,13 +186,14 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let weather = cloud_weather(place);
         let edge = cloud_edge(select(height, height + SUNWARDS * mu / (CLOUD_TOP - CLOUD_BASE), is_lit), weather.x);
         // In clouds it is narrower than the steps: each of four neighbours takes others.
-        let footprint = max(sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
+        let footprint = max(field_shown() * sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
         // A look towards the sun asks as well how high the cloud is there, by more octaves than tell whether it is one.
         let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
         let soft = mix(WISPY, CLOUD_SOFT, smoothstep(0.0, CRISP_FROM, height));
         let deviation = sqrt(level.y + soft * soft);
         let x = (level.x - edge) / deviation;
-        let goes_on = is_fine & !is_lit;
+        // A wide look, whose edge is as wide as what it hides, tells a fine one nothing of where the cloud ends: there would be rings of haze about it.
+        let goes_on = is_fine & was_fine & !is_lit;
         let cloud = between(select(x, last_x, goes_on), x, deviation);
         // Of the way through as many clouds as it meets.
         let clouds = max(step / CLOUD_CELL, 1.0);
@@ -197,7 +205,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         let gaps = max(pow(min(CLOUD_GAPS / pixel, 1.0), mix(CLOUD_THINNED.x, CLOUD_THINNED.y, closed)), CLOUD_LEAST);
         let dense = CLOUD_OPACITY * depth * gaps;
         let crisp = mix(1.0, select(CRISP, 1.0, is_wide), smoothstep(0.0, CRISP_FROM, height));
-        let opaque = min(cloud.share * (1.0 - exp(-crisp * dense * cloud.excess * step / clouds)), 0.9999);
+        // Of a step that begins or ends in a cloud each ray of a pixel that meets it at all has as much before it as lies within.
+        let covered = max(max(select(0.0, normal_share(clamp(last_x, -5.0, 5.0)), goes_on), normal_share(clamp(x, -5.0, 5.0))), cloud.share);
+        let opaque = min(covered * (1.0 - exp(-crisp * dense * cloud.excess * cloud.share / covered * step / clouds)), 0.9999);
         let shade = select(1.0 - pow(1.0 - opaque, clouds), met, is_lit);
         let is_cloud = shade >= FAINT;
         let is_found = !is_wide & !is_fine & (shade >= SUSPECTED);
@@ -226,6 +236,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         met_excess = cloud.excess;
         met_over = level.x - edge;
         last_x = select(x, last_x, is_lit);
+        was_fine = is_fine;
         let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
         // What the step before may have missed is looked at again.

@@ -18,9 +18,9 @@ const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
 const CLOUD_FINER = 2.5;            // each octave's cells than those before
 // Share of the variance of all octaves before heaps, and of the first of heaps; of each octave of these, of the one before; and of what they are made of.
 const CLOUD_FIRST = 0.49;
-const HEAPS_FIRST = 0.2228;
+const HEAPS_FIRST = 0.2118;
 const HEAPS_FADE = 0.9;
-const BILLOW_FADE = 0.3;
+const BILLOW_FADE = 0.36;
 // Of each octave before heaps, of the one before: of ragged masses, of scattered clouds. The weather's levels tell where which are, a turn for so many.
 const CLOUD_FADES = vec2f(0.45, 1.3);
 const CLOUD_KINDS = vec2f(0.85, 1.55);
@@ -145,6 +145,10 @@ fn cloud_top(level: f32, weather: f32) -> f32 {
 }
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
+const SHADOW_BLUR: Metres = 150.0;      // clouds spread what they let through over so much
+// Per metre of a heap, a deviation of the level above the edge: of the light that clouds.wgsl's droplets, 0.05 a metre in the thin base and five times that
+// over it, thinning out towards edges, scatter otherwise than ahead, 0.15.
+const HEAP_EXTINCTION = 0.02;
 const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
 
 // Share of the sky over a place that is in cloud, given the weather and the place in clouds.
@@ -163,8 +167,9 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let mu = sqrt(low * low + 2.0 * CLOUD_SHADOW / frame.semi_major);
     let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
-    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, 400.0), 0.1), 0.1);
-    let through = exp(-CLOUD_EXTINCTION * cloud.excess * (CLOUD_TOP - CLOUD_BASE) * 0.6 / mu);
+    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0), 0.0);
+    let tall = cloud_top(cloud.excess + spare(weather.x), weather.x) * (CLOUD_TOP - CLOUD_BASE);
+    let through = exp(-HEAP_EXTINCTION * cloud.excess * tall / mu);
     let cover = cloud_cover(weather, overhead, footprint);
     let left = 1.0 - cloud.share * (1.0 - through);
     // Clouds take five times as much from the disc itself.

@@ -33,6 +33,22 @@ fn look(@builtin(global_invocation_id) id: vec3u) {
     places[id.x] = vec4f(cloud_place(a.xyz), 0.0);
 }";
 
+/// A column of clouds that the sun's light goes through to a place of the local frame, and what the shadow there is taken to be.
+const SHADOWS: &str = "#import clouds
+@group(2) @binding(0) var<storage, read> asked: array<vec4f>;
+@group(2) @binding(1) var<storage, read_write> columns: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> lights: array<vec4f>;
+@compute @workgroup_size(64)
+fn look(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let at = asked[id.x].xyz;
+    let overhead = cloud_place(at + frame.light * (CLOUD_SHADOW / frame.light.z));
+    let weather = cloud_weather(overhead);
+    columns[id.x] = vec4f(cloud_level_of(weather, overhead, 150.0, 0.0), weather.x, frame.light.z);
+    let shadow = cloud_shadow(at, vec3f(0.0, 0.0, 1.0), 10.0);
+    lights[id.x] = vec4f(shadow.left, shadow.cover, shadow.disc, 0.0);
+}";
+
 /// A sky with clouds.
 struct Sky {
     gpu: Gpu,
@@ -43,6 +59,10 @@ struct Sky {
 
 impl Sky {
     fn new() -> Self {
+        Self::asked_by(KERNEL)
+    }
+
+    fn asked_by(kernel: &str) -> Self {
         let gpu = pollster::block_on(Gpu::headless()).expect("a graphics device, software or not");
         let entry = wgpu::BindGroupLayoutEntry {
             binding: 12,
@@ -56,7 +76,7 @@ impl Sky {
         };
         let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &[entry] };
         let layouts = [kernel::frame_layout(&gpu), gpu.device.create_bind_group_layout(&descriptor)];
-        let kernel = Kernel::new(&gpu, &shader::composed(KERNEL, ""), "look", &layouts.each_ref());
+        let kernel = Kernel::new(&gpu, &shader::composed(kernel, ""), "look", &layouts.each_ref());
         Self { map: CloudMap::new(&gpu), layouts, kernel, gpu }
     }
 
@@ -217,4 +237,65 @@ fn the_map_of_the_weather_has_no_seam() {
     println!("over 10 km levels change by {inside:.4}, across edges of the map by {on_edges:.4}");
     // Texels are up to twice as wide in the middle of the octahedron's sides as at its corners.
     assert!(on_edges < 2.0 * inside, "{on_edges} {inside}");
+}
+
+/// What a column of clouds leaves of the sun's light, whose droplets, as `shaders/clouds.wgsl` draws them, scatter 0.15 of it otherwise than ahead; the
+/// level there is normal, of a mean and a variance.
+fn left_by([mean, variance, weather, mu]: [f64; 4]) -> f64 {
+    let smoothstep = |from: f64, to: f64, x: f64| {
+        let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+        t * t * (3.0 - 2.0 * t)
+    };
+    let depth = |level: f64| {
+        let layer = |step: i32| {
+            let height = (f64::from(step) + 0.5) / 100.0;
+            let square = height * height;
+            let spare = (weather - 0.9).max(0.0) * smoothstep(0.1, 0.6, height);
+            let edge = 1.1 * square / (1.0 - 0.8 * square).max(0.1) + spare;
+            let crisp = 1.0 + 4.0 * smoothstep(0.0, 0.25, height);
+            0.05 * crisp * (level - edge).max(0.0) * 12.0
+        };
+        (0..100).map(layer).sum::<f64>()
+    };
+    let deviation = (variance + 0.035 * 0.035).sqrt();
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for node in -15..=15 {
+        let x = f64::from(node) / 5.0;
+        let weight = libm::exp(-0.5 * x * x);
+        sum += weight * libm::exp(-0.15 * depth(mean + deviation * x) / mu);
+        weights += weight;
+    }
+    sum / weights
+}
+
+#[test]
+fn shadows_are_those_of_the_clouds_that_are_drawn() {
+    let mut sky = Sky::asked_by(SHADOWS);
+    // What is left by the droplets, what the shader says, and whether the clouds are heaps with gaps.
+    let mut pairs = Vec::new();
+    for lon in (-40..=40).step_by(10) {
+        // A square of 40 km; the sun stands 40 degrees high or more.
+        let eye = [if lon % 20 == 0 { -15.0 } else { -30.0 }, f64::from(lon), 500.0];
+        let place =
+            |index: i32| Vec4::new((index % 20 - 10) as f32 * 2_000.0, (index / 20 - 10) as f32 * 2_000.0, 0.0, 0.0);
+        let asked: Vec<Vec4> = (0..400).map(place).collect();
+        let [columns, lights] = sky.at(&frame(0.4, eye, NOON), &asked);
+        let pair = |(column, light): (&[f32; 4], &[f32; 4])| {
+            (left_by(column.map(f64::from)), f64::from(light[0]), (-1.0..0.3).contains(&column[1]))
+        };
+        pairs.extend(columns.iter().zip(&lights).map(pair));
+    }
+    let heaps: Vec<_> = pairs.iter().filter(|(wanted, _, are_heaps)| *are_heaps && *wanted < 0.6).collect();
+    let off = |(wanted, left, _): &(f64, f64, bool)| (left - wanted).abs();
+    let [all, shade] = [
+        pairs.iter().map(off).sum::<f64>() / pairs.len() as f64,
+        heaps.iter().map(|pair| off(pair)).sum::<f64>() / heaps.len() as f64,
+    ];
+    println!(
+        "{} of {} places are in the shade of heaps; what is left is off by {shade:.3} there, by {all:.3} everywhere",
+        heaps.len(),
+        pairs.len()
+    );
+    // One level stands for all that a pixel has.
+    assert!(heaps.len() > 200 && shade < 0.1 && all < 0.03, "{shade} {all}");
 }

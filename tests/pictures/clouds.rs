@@ -91,6 +91,14 @@ fn heaps_are_grey_below_and_white_about_their_edges() {
     println!("{} pixels of clouds have {dark:.2} and {bright:.2} of the brightness of white ground", green.len());
     // Two streams: a heap 700 m deep with 0.05 of optical depth a metre, of which 0.15 do not go on ahead, lets 0.20 of the nine tenths of
     // sunlight through that reach it. Its sides reflect what is left of three quarters, on average half of it sideways.
+    // Edges of heaps that stand before the blue are as narrow as pixels.
+    let rows = bytes.chunks_exact(8 * 320).take(120);
+    let change = |pair: &[u8]| white * (of(&pair[8..], 0) - of(pair, 0)).abs();
+    let mut steps: Vec<f64> = rows.flat_map(|row| row.windows(16).step_by(8).map(change)).collect();
+    steps.sort_by(f64::total_cmp);
+    let edge = steps[steps.len() * 98 / 100];
+    println!("one of fifty pixels differs from the one beside it by more than {edge:.3}");
+    assert!(edge > 0.1, "{edge}");
     assert!(green.len() > 3000 && (0.1..0.2).contains(&dark) && (0.5..0.85).contains(&bright), "{dark} {bright}");
 }
 
@@ -366,4 +374,18 @@ fn clouds_at_the_terminator_are_dim_and_not_orange_seen_from_space() {
     println!("{orange} of {lit} lit pixels are orange");
     // Deserts and the glint of the sun are no part of this view. With tops at 2.1 km in a low sun's full light 4 % are.
     assert!(lit > 15_000 && orange * 200 < lit, "{orange} of {lit}");
+}
+
+#[test]
+fn clouds_from_space_are_not_out_of_focus() {
+    const SIZE: [u32; 2] = [320, 180];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // Pixels are as wide as those of a picture of 540 rows from 3,000 km.
+    let link = "#view=25,-40,1000000,0,0&clouds=0.5&time=2026-06-21T16:30:00Z&quality=high";
+    let green = green_light(&mut renderer, link, SIZE);
+    let rows = || green.chunks_exact(SIZE[0] as usize).flat_map(|row| row.windows(3));
+    let bent = rows().map(|beside| (beside[0] - 2.0 * beside[1] + beside[2]).powi(2)).sum::<f64>();
+    let steps = rows().map(|beside| (beside[1] - beside[0]).powi(2)).sum::<f64>();
+    println!("how light changes from pixel to pixel changes by {:.3} of it, squared", bent / steps);
+    assert!(bent > 0.36 * steps, "{}", bent / steps);
 }
