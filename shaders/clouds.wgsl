@@ -62,11 +62,12 @@ const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun f
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
-// And of the field from space: with as much clouds there are soft, as if out of focus.
-// Where pictures from space begin there is as much as below.
-const FIELD_FROM = vec2f(200000.0, 900000.0);   // metres of altitude
+// Of that, what hides the field from space, and from how high on: with all of it clouds there are soft, as if out of focus. Where pictures from space begin it is all,
+// as below.
+const FIELD_SHOWN = 0.6;
+const FIELD_FROM = vec2f(500000.0, 1200000.0);
 
-fn field_shown() -> f32 { return select(1.0, mix(1.0, 0.6, smoothstep(FIELD_FROM.x, FIELD_FROM.y, frame.eye_altitude)), GLOBE); }
+fn field_shown() -> f32 { return select(1.0, mix(1.0, FIELD_SHOWN, smoothstep(FIELD_FROM.x, FIELD_FROM.y, frame.eye_altitude)), GLOBE); }
 
 // Where a place is in a cloud: how high over its base, of the layer; the optical depths from it towards the sun and to the base; how far its side is
 // turned to the sun, 0 to 1; and how far clouds are closed there, 0 to 1.
