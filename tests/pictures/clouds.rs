@@ -89,8 +89,6 @@ fn heaps_are_grey_below_and_white_about_their_edges() {
     green.sort_by(f64::total_cmp);
     let [dark, bright] = [0.1, 0.9].map(|share| green[(share * green.len() as f64) as usize]);
     println!("{} pixels of clouds have {dark:.2} and {bright:.2} of the brightness of white ground", green.len());
-    // Two streams: a heap 700 m deep with 0.05 of optical depth a metre, of which 0.15 do not go on ahead, lets 0.20 of the nine tenths of
-    // sunlight through that reach it. Its sides reflect what is left of three quarters, on average half of it sideways.
     // Edges of heaps that stand before the blue are as narrow as pixels.
     let rows = bytes.chunks_exact(8 * 320).take(120);
     let change = |pair: &[u8]| white * (of(&pair[8..], 0) - of(pair, 0)).abs();
@@ -99,6 +97,8 @@ fn heaps_are_grey_below_and_white_about_their_edges() {
     let edge = steps[steps.len() * 98 / 100];
     println!("one of fifty pixels differs from the one beside it by more than {edge:.3}");
     assert!(edge > 0.1, "{edge}");
+    // Two streams: a heap 700 m deep with 0.05 of optical depth a metre, of which 0.15 do not go on ahead, lets 0.20 of the nine tenths of
+    // sunlight through that reach it. Its sides reflect what is left of three quarters, on average half of it sideways.
     assert!(green.len() > 3000 && (0.1..0.2).contains(&dark) && (0.5..0.85).contains(&bright), "{dark} {bright}");
 }
 
