@@ -66,8 +66,7 @@ const ROWS_WIND = vec2f(100.0, 20.0);
 const STREAKS_WIND = vec4f(110.0, 22.0, 6.5, 1.6);
 // They fork, join and end: along the wind streaks are drawn by so many texels over stretches of 32, 8 and 2 m, each beside the next.
 const STREAKS_END = vec3f(90.0, 40.0, 6.0);
-const WINDING: f32 = 0.35;        // deviation of `wander`
-const LACE_TEXEL: Metres = 0.25;
+const WINDING: f32 = 0.45;        // deviation of `wander`
 // Nor are they evenly spaced, as teeth of a comb: over rectangles of 128 by 32 m rows and streaks are drawn apart and together, by so many texels at most, and
 // streaks take so much more or less of the middle net.
 const UNEVEN = vec2u(9u, 7u);
@@ -90,9 +89,10 @@ const CREASE: f32 = 0.3;
 // What storms break is metres deep: heaps of the wider nets count more, which are seen from a ship's bridge, and their creases are deeper.
 const STORM_CREASES = vec4f(0.7, 0.5, 0.6, 0.45);
 const STORM_CREASE: f32 = 0.42;
-const STORM_SKEW: f32 = 0.12;      // of a deviation: the wider nets have more of heaps than of creases, and are to leave the mean
-const CREASE_ENDS: f32 = 0.3;      // of their depth squared, by which they end: the deepest are half as bright as foam without, in storms a quarter
-const FILM_CREASED: f32 = 0.4;     // of a deviation by which rafts of film, which gather along those walls, have more of them than the sea
+const STORM_SKEW: f32 = 0.1;       // of a deviation: the wider nets have more of heaps than of creases, and are to leave the mean
+const CREASE_ENDS: f32 = 0.3;      // of their depth squared, by which they end: the deepest are half as bright as foam without, in storms a fifth
+// Of a deviation by which rafts of film, which gather along those walls, have more of them than the sea, below storms and in them.
+const FILM_CREASED = vec2f(0.5, 0.4);
 const BODY = vec2f(0.45, 0.9);     // opacities from which on foam of any kind has these, and at which it has all of their depth
 // Height of dense foam over thin, metres: of the least, and per metre of the waves' height, of which it has no more than so much.
 const FOAM_RISE = vec3f(0.08, 0.035, 8.0);
@@ -169,7 +169,7 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
         in_rows.y += dot(ROWS_WIND, vec2f(wide, far.x)) + UNEVENLY.x * uneven.x;
         in_streaks += vec2f(dot(STREAKS_END, vec3f(far.y, near.y, next.y)), dot(STREAKS_WIND, vec4f(wide, far.x, near.x, next.x)) + UNEVENLY.y * uneven.x);
         // Long pixels span streaks that wind within them.
-        of_streaks.y += WINDING * LACE_TEXEL * dot(STREAKS_WIND.yzw, min(pixel.x / vec3f(32.0, 8.0, 2.0), vec3f(1.0)));
+        of_streaks.y += WINDING * frame.foam_levels[0].side * dot(STREAKS_WIND, min(pixel.x / vec4f(256.0, 32.0, 8.0, 2.0), vec4f(1.0)));
         streaked = min(streaked * (1.0 + UNEVEN_STREAKS * uneven.y), vec2f(1.0));
         nets *= exp(TURNS * vec3f(near.x, far.x, near.y));
         nets /= nets.x + nets.y + nets.z;
@@ -214,13 +214,15 @@ fn lace_in(at: vec2f, footprint: Metres, pixel: vec2f, finer: i32, fine: bool) -
     let weights = sqrt(of_dense);
     let dense_levels = vec4f(heaps.level, levels.yzw);
     let dense = dot(weights, dense_levels);
-    // What creases have in common with the level of dense foam would darken its midst.
+    // What creases have in common with the level of dense foam, as a pixel sees both, would darken its midst.
     let creases = mix(CREASES, STORM_CREASES, storm());
+    let dense_kept = vec4f(heaps.kept, kept.yzw);
     let in_dense = dot(weights.xyz, creases.xyz);
-    let crease = (dot(creases.xyz, dense_levels.xyz) + creases.w * bubbles.level - in_dense * dense) * inverseSqrt(dot(creases, creases) - in_dense * in_dense);
+    let seen_in_dense = dot(weights.xyz * dense_kept.xyz, creases.xyz) / max(dot(of_dense, dense_kept), 1e-4);
+    let crease = (dot(creases.xyz, dense_levels.xyz) + creases.w * bubbles.level - seen_in_dense * dense) * inverseSqrt(dot(creases, creases) - in_dense * in_dense);
     // Rows have no shape of their own.
     return Lace(vec3f(dot(sqrt(of_foam), levels), dot(sqrt(of_film), film_levels), dense),
-        1.0 - vec3f(dot(of_foam, kept), dot(of_film, film_kept), dot(of_dense, vec4f(heaps.kept, kept.yzw))),
+        1.0 - vec3f(dot(of_foam, kept), dot(of_film, film_kept), dot(of_dense, dense_kept)),
         mat3x2f(heaps.slope, small.slope, coarse.slope) * weights.xyz / f32(finer), vec2f(rafts(bubbles, RAFTS), rafts(bubbles, film_rafts())),
         mat3x2f(heaps.slope, small.slope, bubbles.slope) * mix(BUMPS, STORM_BUMPS, storm()) / f32(finer), crease, 0.0);
 }
@@ -357,7 +359,7 @@ fn foam_of(share: f32, dense_from: f32, height: f32, seen: Lace, fine: bool) -> 
         tilt += mix(BUMPS_THIN, -1.0 - TUMBLED * seen.fresh * thick, body) * seen.bumps;
         let deep = seen.crease * inverseSqrt(1.0 + CREASE_ENDS * seen.crease * seen.crease);
         let skew = STORM_SKEW * storm() * (1.0 - seen.hidden.z);
-        open -= mix(CREASE, STORM_CREASE, storm()) * (body * deep + thick * skew - (body - thick) * FILM_CREASED * (1.0 - seen.hidden.y));
+        open -= mix(CREASE, STORM_CREASE, storm()) * (body * deep + thick * skew - (body - thick) * mix(FILM_CREASED.x, FILM_CREASED.y, storm()) * (1.0 - seen.hidden.y));
         open *= 1.0 + FRONT_FACE * seen.fresh * (saturate(rise / (deviation * FRONT_FACE_RISES)) - 0.75);
     }
     return Foam(opaque, open, max(max(plume, stirred(height)), saturate(BUBBLES_BELOW * opaque)), shade_of(rise, thick, deviation, seen.fresh, fine),
