@@ -9,7 +9,7 @@
 //!      0 ................. 1 - flat ..... c        distance to the shore
 //! ```
 //! Data of the sea's depth whose cells are kilometres wide know nothing of them: the crest, up to which corals grow, is a hundred metres wide. It lies some
-//! hundred metres to two kilometres off the shore, by a noise of the place; behind it waves are low. Passes break it along the lines where another noise is none. All numbers are ours, of the
+//! hundred metres to two kilometres off the shore, by a noise of the place; behind it waves are low. Passes break it along the lines where a sum of two noises is none. All numbers are ours, of the
 //! look of the Society Islands, Mauritius and the Cooks.
 //!
 //! Places are those of Mercator's map. `shaders/lib/reefs.wgsl` is the same in single precision.
@@ -18,7 +18,7 @@ use super::noise::map_noise;
 use super::rugged;
 use super::sea_bed::{smoothstep, trusted_m};
 
-/// Data whose cells are wider, metres, do not tell islands in a deep sea from the edges of continents. Ours: twice those of the bundled world.
+/// Data whose cells are as wide, metres, or wider, do not tell islands in a deep sea from the edges of continents. Ours: some twice those of the bundled world.
 pub const COARSEST_M: f64 = 20_000.0;
 /// Sines of 23 and 25.5 degrees, between which the sea becomes too cold for them.
 pub const WARM: [f64; 2] = [0.391, 0.431];
@@ -46,9 +46,9 @@ pub const CREST_DEPTH_M: [f64; 2] = [0.7, 22.0];
 pub const CREST_ROUGH_M: [f64; 2] = [0.6, 0.5];
 /// How far from the middle of a pass it is whole, and its sides end, metres.
 pub const PASS_M: [f64; 2] = [60.0, 170.0];
-/// What the finer noise bends passes' lines by, of their own, and by how many powers of two the finest makes them wider or narrower.
+/// What the finer noise bends passes' lines by, of their own.
 pub const PASS_BENDS: f64 = 0.2;
-/// See [`PASS_BENDS`].
+/// By how many powers of two the finest noise makes passes wider or narrower.
 pub const PASS_UNEVEN: f64 = 1.2;
 /// Crests nearer than the first have none, farther than the second all, metres.
 pub const PASS_CREST_M: [f64; 2] = [150.0, 400.0];

@@ -11,7 +11,6 @@ pub use tile_range::{Range, TileRange};
 use super::SharedTexels;
 use super::tile::{Layer, MapPoint, Projection, TileId};
 use super::world::{Outcome, World};
-use crate::model::rugged;
 use residency::Residency;
 
 /// Slots of each atlas; WebGPU promises 256 layers. 48 MiB each.
@@ -39,8 +38,8 @@ pub struct Streaming {
     wanted: [Vec<TileId>; Layer::COUNT],
     /// Deepest levels of the archives by layer and map; 0 before they are open.
     deepest: [[u8; 3]; Layer::COUNT],
-    /// Whether elevations are so coarse that relief is made up between them.
-    is_coarse: bool,
+    /// How wide cells of the data of elevations are, metres; 0: not known.
+    resolution_m: f64,
     /// Where shaders find the tiles.
     pub pages: PageTable,
 }
@@ -54,24 +53,23 @@ impl Default for Streaming {
             changed: true,
             wanted: Default::default(),
             deepest: [[0; 3]; Layer::COUNT],
-            is_coarse: true,
+            resolution_m: 0.0,
             pages: PageTable::new(),
         }
     }
 }
 
 impl Streaming {
-    /// Whether elevations are so coarse that relief is made up between them.
-    pub fn is_coarse(&self) -> bool {
-        self.is_coarse
+    /// How wide cells of the data of elevations are, metres; 0: not known.
+    pub fn resolution_m(&self) -> f64 {
+        self.resolution_m
     }
 
     /// Begins a frame: takes what has arrived. The tiles of the frame before stay.
     pub fn receive(&mut self, world: &mut World) -> Vec<Upload> {
         self.frame += 1;
         self.deepest = Layer::ALL.map(|layer| Projection::ALL.map(|map| world.max_zoom(layer, map).unwrap_or(0)));
-        let resolution_m = world.resolution_m(Layer::Terrain, Projection::Mercator);
-        self.is_coarse = resolution_m.is_none_or(rugged::is_coarse);
+        self.resolution_m = world.resolution_m(Layer::Terrain, Projection::Mercator).unwrap_or(0.0);
         let mut uploads = Vec::new();
         for arrival in world.poll() {
             let (layer, id) = (arrival.layer, arrival.id);

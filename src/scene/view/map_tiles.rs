@@ -190,7 +190,7 @@ fn rugged_m(id: TileId, tiles: &Streaming) -> Option<f64> {
 
 /// As [`rugged_m`], and whether there may be walls: of towers (`model::towers`).
 fn rugged(id: TileId, tiles: &Streaming) -> Option<(f64, bool)> {
-    let metres = tiles.elevations_m(id, id.z).filter(|_| tiles.is_coarse())?;
+    let metres = tiles.elevations_m(id, id.z).filter(|_| rugged::is_coarse(tiles.resolution_m()))?;
     let shore_m = tiles.shore_m(id, id.z).filter(|shore_m| shore_m.least < 0.0)?;
     let around = id.ancestor(AROUND).unwrap_or(id);
     let may_be_rocky = metres.least < rugged::KNOWN_M[1] && reaches_high_latitudes(id);
@@ -215,7 +215,7 @@ fn may_have_reef(id: TileId, tiles: &Streaming) -> bool {
     let around = id.ancestor(AROUND).unwrap_or(id);
     let is_deep = || tiles.elevations_m(around, around.z).is_none_or(|around| around.least < ISLAND_BED_M);
     let is_near = || tiles.shore_m(id, id.z).is_none_or(|shore_m| shore_m.least < reefs::REACH_M);
-    is_warm && tiles.is_coarse() && is_near() && is_deep()
+    is_warm && reefs::are_in(tiles.resolution_m()) && is_near() && is_deep()
 }
 
 /// Whether a tile has a strip of land by the ocean that waves may run up.
