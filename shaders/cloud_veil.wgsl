@@ -10,7 +10,7 @@
 const SHARPENED = 0.7;      // how much more than their mean the nearest four count, against a ring of four about them
 
 // What the smaller picture shows at a pixel. Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
-// ring, in which each of the four counts as much. Their mean alone makes edges as wide as six pixels; nothing shows that none of the eight has.
+// ring, in which each of the four counts as much. Their mean alone makes edges three of its pixels wide; nothing shows that none of the eight has.
 fn sharpened(at: vec2f) -> vec4f {
     let size = vec2f(textureDimensions(small));
     let place = at / SCALE;

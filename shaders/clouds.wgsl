@@ -35,7 +35,7 @@ const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones; a
 const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
 const CLOSED_TO = 1.8;
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
-const CLOUD_SCATTERS = 0.0075; // per metre of a heap: 0.05 of droplets, of which 0.15 scatter otherwise than ahead; closed layers are less dense
+const CLOUD_SCATTERS = 0.05 * ASIDE; // per metre of a heap, of droplets; closed layers are less dense
 const MOTTLED = 1.3;                    // of closed ones: logarithm of the density, for each deviation above the weather's level
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
 // Of an optical depth towards the sun: what a heap loses through its sides of the light that goes up in it, and of that which goes down.
@@ -62,12 +62,14 @@ const DECK_RELIEF: Metres = 2000.0;     // how far a deck is turned to the sun f
 // Radians below which a pixel drawn here shows nothing. Four of a smaller picture are averaged.
 fn cloud_pixel() -> f32 { return max(SCALE - 1.0, 1.0) * frame.pixel_angle; }
 
-// Of that, what hides the field from space, and from how high on: with all of it clouds there are soft, as if out of focus. Where pictures from space begin it is all,
-// as below.
+// Of that, what hides the field from space: with all of it clouds there are soft, as if out of focus. Where pictures of the whole globe begin it is all,
+// as below, and from twice as high on so much.
 const FIELD_SHOWN = 0.6;
-const FIELD_FROM = vec2f(500000.0, 1200000.0);
 
-fn field_shown() -> f32 { return select(1.0, mix(1.0, FIELD_SHOWN, smoothstep(FIELD_FROM.x, FIELD_FROM.y, frame.eye_altitude)), GLOBE); }
+fn field_shown() -> f32 {
+    let begins = max(GLOBE_PIXEL / frame.pixel_angle, GLOBE_LOWEST);
+    return select(1.0, mix(1.0, FIELD_SHOWN, smoothstep(1.0, 2.0, frame.eye_altitude / begins)), GLOBE);
+}
 
 // Where a place is in a cloud: how high over its base, of the layer; the optical depths from it towards the sun and to the base; how far its side is
 // turned to the sun, 0 to 1; and how far clouds are closed there, 0 to 1.
@@ -314,7 +316,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let is_open = (hit < 0.0) | is_open_below;
     let far = select(hit, 1e9, is_open);
     let phase = cloud_phase(dot(direction, frame.light));
-    // Each of four neighbours looks elsewhere in its steps: cloud_veil.wgsl, whose weights add up to the same for all of them, takes their mean.
+    // Each of four neighbours looks elsewhere in its steps: cloud_veil.wgsl, whose weights add up to the same for all of them, takes a mean without their grain.
     let pixel = vec2u(corner.position.xy) & vec2u(1u);
     let spread = (0.5 + f32(pixel.x ^ pixel.y) * 2.0 + f32(pixel.y)) / 4.0;
     let water = water_clouds(ray, direction, far, phase, select(0.25 + 0.5 * spread, 0.5, GLOBE));

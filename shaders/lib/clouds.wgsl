@@ -32,7 +32,6 @@ const CLOUD_BENT = vec3f(0.06, -0.03, 0.05);   // cells by which each octave bef
 const CLOUD_TURN = mat3x3f(0.0, 0.8, 0.6, -0.8, 0.36, -0.48, -0.6, -0.48, 0.64);
 const CLOUD_OCTAVES = 9u;
 const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
-const CLOUD_EXTINCTION = 0.0045;    // per metre, a deviation above the edge: of light that goes on ahead counts as not scattered
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
 fn cloud_place(local: vec3f) -> vec3f { return frame.cloud_eye + cloud_way(local); }
@@ -146,8 +145,9 @@ fn cloud_top(level: f32, weather: f32) -> f32 {
 
 const CLOUD_SHADOW: Metres = 1500.0;    // height of what casts it
 const SHADOW_BLUR: Metres = 150.0;      // clouds spread what they let through over so much
+const ASIDE = 0.15;                     // what droplets scatter otherwise than ahead; the disc loses the rest as well
 // Per metre of a heap, a deviation of the level above the edge: of the light that clouds.wgsl's droplets, 0.05 a metre in the thin base and five times that
-// over it, thinning out towards edges, scatter otherwise than ahead, 0.15.
+// over it, scatter aside. They thin out towards edges, so that of the 0.0075 to 0.0375 it has this; fitted.
 const HEAP_EXTINCTION = 0.02;
 const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of its light comes from
 
@@ -168,16 +168,15 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0), 0.0);
-    let tall = cloud_top(cloud.excess + spare(weather.x), weather.x) * (CLOUD_TOP - CLOUD_BASE);
+    let tall = cloud_top(cloud.excess, weather.x) * (CLOUD_TOP - CLOUD_BASE);
     let through = exp(-HEAP_EXTINCTION * cloud.excess * tall / mu);
     let cover = cloud_cover(weather, overhead, footprint);
     let left = 1.0 - cloud.share * (1.0 - through);
-    // Clouds take five times as much from the disc itself.
-    let squared = through * through;
-    let disc = (1.0 - cloud.share + cloud.share * squared * squared * through) / max(left, 1e-6);
+    let disc = (1.0 - cloud.share + cloud.share * pow(through, 1.0 / ASIDE)) / max(left, 1e-6);
     return Shadow(left, cover, disc);
 }
 
+const MIRRORED_HIDES = 0.0045;       // per metre of a cloud, a deviation above the edge; fitted to what blurred ones hide of the sky
 const MIRRORED_SPREAD: f32 = 0.15;   // of the rise of what rough water mirrors
 
 // Share of the sky that clouds hide towards `direction` from a place, as rough water mirrors it.
@@ -188,5 +187,5 @@ fn mirrored_clouds(at: vec3f, direction: vec3f, up: vec3f, footprint: Metres) ->
     let rise = sqrt(level * level + MIRRORED_SPREAD * MIRRORED_SPREAD);
     let way = CLOUD_SHADOW / rise;
     let cloud = in_cloud(cloud_level(cloud_place(at + direction * min(way, 60000.0)), max(max(0.2 * way, 1500.0), footprint), 0.1), 0.1);
-    return 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-CLOUD_EXTINCTION * cloud.excess * 1200.0)), 1.0 / rise);
+    return 1.0 - pow(1.0 - cloud.share * (1.0 - exp(-MIRRORED_HIDES * cloud.excess * 1200.0)), 1.0 / rise);
 }

@@ -5,6 +5,7 @@ use crate::model::earth::WGS84;
 use crate::model::{clouds, lakes, reefs, relief, rugged, sea_bed, sheltered_sea, spray, towers};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
 use crate::scene::sea::{foam, shelter, shores};
+use crate::scene::view::map_tiles::RELIEF_M;
 
 /// All of them but those of single passes.
 pub fn shared_constants() -> String {
@@ -36,6 +37,8 @@ pub fn shared_constants() -> String {
         ("SEMI_MINOR", WGS84.b),
         ("CLOUD_BASE", clouds::BASE_M),
         ("ICE_HEIGHT", clouds::ICE_M),
+        ("GLOBE_PIXEL", RELIEF_M),
+        ("GLOBE_LOWEST", super::LOWEST_GLOBE_M),
         ("SURF_SEEN", super::SURF_SEEN_M),
         ("SURF_HIGHEST", super::SURF_HIGHEST_M),
         ("LAKE_MIRRORS", super::LAKE_MIRRORS_M),
