@@ -6,6 +6,7 @@ use crate::data::exposure::Water;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::{World, WorldWaters};
+use crate::model::earth::WGS84;
 use crate::model::optics::opaque_depth_m;
 use crate::model::waves;
 use crate::scene::frame::Frame;
@@ -20,6 +21,10 @@ use crate::scene::view::state::ViewState;
 /// Seconds that a frame may spend on finding where land stands in the sea's way, and again on making windows of waves by shores, of a moving
 /// picture and of a still one; a step that has been begun takes as long again.
 const WORK_S: [f64; 2] = [0.003, 0.03];
+
+/// Half a diagonal of the ground's narrowest cells, metres, and how deep a hollow may be that they span.
+const HALF_CHORD_M: f64 = 6.7;
+const DEEPEST_HOLLOW_M: f64 = 10.0;
 
 /// Eyes below this are told at what level inland water lies, m: a picture from higher shows no such step, and needs no more tiles than its own.
 const LEVELS_FROM_M: f64 = 50_000.0;
@@ -37,8 +42,9 @@ impl Renderer {
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_settled;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
-        self.visible =
-            (!frame.is_globe()).then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground()));
+        let below_m = self.place_below(camera).map(|place| place.elevation_m);
+        self.visible = (!frame.is_globe())
+            .then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground(), below_m));
         let side = self.side(frame);
         // What is there stays; others wait for the picture's own tiles.
         let trains = (side.shows_surf && frame.shows_trains && frame.is_fine(), self.complete);
@@ -98,6 +104,22 @@ impl Renderer {
         self.shores.waves_at(at, place.shallows()?, ticks)
     }
 
+    /// About how high the mesh of dry ground stands below an eye, metres: over hollows narrower than its cells it is a chord.
+    fn mesh_below(&mut self, eye: &Camera, place: &Sample) -> f64 {
+        if eye.altitude_m > place.elevation_m + DEEPEST_HOLLOW_M {
+            return place.elevation_m;
+        }
+        let north = HALF_CHORD_M / WGS84.a;
+        let east = north / eye.lat.cos().max(0.01);
+        let ways = [(1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.7, -0.7)];
+        let chords = ways.map(|(x, y)| {
+            let end = |side: f64| self.world.sample_passing(eye.lat + side * y * north, eye.lon + side * x * east);
+            let ends = [1.0, -1.0].map(end).map(|end| end.map_or(place.elevation_m, |end| end.elevation_m));
+            0.5 * (ends[0] + ends[1])
+        });
+        chords.into_iter().fold(place.elevation_m, f64::max)
+    }
+
     /// A camera lifted by a part of the drawn water's height below it, as [`Seas::lifted`](crate::scene::sea::Seas::lifted).
     pub fn lifted(&mut self, settings: &Settings, camera: &Camera, part: f64, unix_seconds: f64) -> Camera {
         if let Some(place) = self.place_below(camera) {
@@ -118,7 +140,7 @@ impl Renderer {
         };
         let Some(depth_m) = place.depth_m else {
             if !place.is_moving_lake || !state.settings.quality.is_fine() {
-                return above_ground(&asked, place.elevation_m);
+                return above_ground(&asked, self.mesh_below(&asked, &place));
             }
             // Over the crests of a lake whose surface is drawn.
             let sea = self.seas.drawn(&state.settings);

@@ -44,7 +44,7 @@ fn places(id: TileId) -> impl Iterator<Item = (f64, f64)> {
 
 /// The tiles that a view draws.
 fn drawn_ids(camera: &Camera, streaming: &Streaming, hiding: Option<Hiding>) -> Vec<TileId> {
-    drawn_tiles(camera, SIZE, streaming, hiding, 1.0).into_iter().map(|tile| tile.id).collect()
+    drawn_tiles(camera, SIZE, streaming, hiding, 1.0, None).into_iter().map(|tile| tile.id).collect()
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn relief_is_made_where_pixels_are_narrow_enough_for_it() {
     let mut tiles_of = |altitude_m: f64| {
         let camera = Camera::from_degrees(46.5, 9.0, altitude_m, 0.0, 0.0);
         load(&mut streaming, &mut world, &camera);
-        drawn_tiles(&camera, SIZE, &streaming, None, 1.0)
+        drawn_tiles(&camera, SIZE, &streaming, None, 1.0, None)
     };
     // Over the Alps. Pixels of a picture of 360 rows that shows 45 degrees are 2.2 mm wide a metre of distance; those of 4,096 m and more show no relief.
     let mut rugged = |altitude_m: f64| {
@@ -93,7 +93,7 @@ fn tiles_with_cells_twice_as_wide_are_those_above_the_usual_ones() {
     for (lat, lon, altitude_m) in [(46.5, 9.0, 30_000.0), (28.8545, -13.792, 560.0)] {
         let camera = Camera::from_degrees(lat, lon, altitude_m, 253.0, 71.0);
         load(&mut streaming, &mut world, &camera);
-        let [usual, wide] = [1.0, 2.0].map(|wider| drawn_tiles(&camera, SIZE, &streaming, None, wider));
+        let [usual, wide] = [1.0, 2.0].map(|wider| drawn_tiles(&camera, SIZE, &streaming, None, wider, None));
         println!("{lat}, {lon}: {} tiles, {} with wide cells", usual.len(), wide.len());
         // Nothing is left out, and what has relief keeps it.
         assert!(3 * wide.len() < 2 * usual.len(), "{} of {}", wide.len(), usual.len());

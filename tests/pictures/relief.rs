@@ -192,3 +192,28 @@ fn drowned_hills_are_drawn_as_they_are_sampled() {
         assert!(off < 1.0 && alike > 0.9 && (0.85..1.15).contains(&size), "{place}: {off} m, {alike}, {size}");
     }
 }
+
+#[test]
+fn an_eye_as_low_as_it_may_be_stands_on_the_ground_that_is_drawn() {
+    const SIZE: [u32; 2] = [160, 90];
+    let mut renderer = headless(DATA, Radiance::Single).unwrap();
+    // Slopes by Lake Geneva and in the Stubai Alps, of Tahiti, the Himalaya, the Andes and Norway, each at places 97 m apart.
+    let around = |[lat, lng]: [f64; 2]| (0..4).map(move |i| [lat + 8.7e-4 * f64::from(i), lng]);
+    let slopes = [[46.4, 6.6], [47.15, 11.0], [-17.65, -149.45], [28.0, 86.9], [-33.0, -70.0], [61.85, 6.87]];
+    let mut below = Vec::new();
+    for [lat, lng] in slopes.into_iter().flat_map(around) {
+        // The ground straight below, and straight above, where there is none but of an eye under the mesh.
+        let mut covered = |pitch: f64| {
+            let link =
+                format!("#view={lat},{lng},0,0,{pitch}&clouds=0&wind=0@0&time=2026-06-21T12:00:00Z&quality=high");
+            let heights =
+                render::measure(&mut renderer, &parse_state(&link).unwrap(), SIZE, LayerName::Height).unwrap();
+            heights.values[45 * 160 + 80].is_finite()
+        };
+        if !covered(0.0) || covered(180.0) {
+            below.push([lat, lng]);
+        }
+    }
+    println!("of 24 eyes {} are below the ground: {below:?}", below.len());
+    assert!(below.is_empty(), "{below:?}");
+}

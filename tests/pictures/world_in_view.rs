@@ -22,7 +22,7 @@ fn an_eye_that_looks_down_sees_the_tile_below_it() {
         for altitude in [1.0, 2_000.0, 300_000.0, 2e7] {
             let camera = Camera::from_degrees(lat, lon, altitude, 0.0, 0.0);
             let foot = MapPoint::from_lat_lon(camera.lat, camera.lon);
-            let tiles = drawn_tiles(&camera, [640, 360], &Streaming::default(), None, 1.0);
+            let tiles = drawn_tiles(&camera, [640, 360], &Streaming::default(), None, 1.0, None);
             assert!(
                 tiles.iter().any(|tile| foot.tile(tile.id.z) == tile.id),
                 "{lat},{lon} from {altitude} m: {} tiles",

@@ -1,7 +1,8 @@
 //! Which map tiles a view needs: a quadtree per map square, refined until a texel is no wider than a pixel, and drawn where the ground
 //! shows.
 
-use std::collections::VecDeque;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
@@ -276,15 +277,18 @@ pub fn nearest_pixel_m(camera: &Camera, size: [u32; 2], drawn: &[DrawnTile], til
 }
 
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
-/// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual.
+/// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual. `below_m` is how high the ground stands below the eye,
+/// metres, where that is known.
 pub fn drawn_tiles(
     camera: &Camera,
     size: [u32; 2],
     tiles: &Streaming,
     hiding: Option<Hiding>,
     wider: f64,
+    below_m: Option<f64>,
 ) -> Vec<DrawnTile> {
     let visibility = Visibility::new(camera, size);
+    let foot = WGS84.ecef_from_geodetic(Geodetic { lat: camera.lat, lon: camera.lon, height: 0.0 });
     let is_rugged = |id| least_pixel_m(&bounds(id), &visibility) < WIDEST_M && rugged_m(id, tiles).is_some();
     let ids = refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
@@ -297,6 +301,9 @@ pub fn drawn_tiles(
             return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, most: MOST_TILES, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
+        // On the way from the eye's foot no slope leads far from what the ground is there.
+        let reach_m = (b.centre.distance(foot) - b.radius).max(0.0);
+        let ground_m = below_m.map_or(ground_m, |below_m| ground_m.clamp(below_m - reach_m, below_m + reach_m));
         let finer = if range_m > STEEP_M {
             2.0
         } else if id.z < usual || has_walls {
@@ -324,37 +331,70 @@ struct Judged {
     ground_m: f64,
 }
 
-/// The quadtree's leaves. `judge` says of a tile, whose farthest point is some metres from the eye, what is to become of it.
+/// A tile of the quadtree that may be refined.
+struct Open {
+    id: TileId,
+    /// How many times wider its texels are than wanted.
+    lack: f64,
+    judged: Judged,
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Open {}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.lack.total_cmp(&other.lack)
+    }
+}
+
+/// The quadtree's leaves, coarse ones first: where there is no room for all, those that lack most are refined. `judge` says of a tile, whose farthest point is
+/// some metres from the eye, what is to become of it.
 fn refined(
     camera: &Camera,
     size: [u32; 2],
     judge: impl Fn(TileId, f64, &Visibility, &Bounds) -> Judged,
 ) -> Vec<TileId> {
     let visibility = Visibility::new(camera, size);
-    let mut open: VecDeque<TileId> = Projection::ALL.iter().map(|&p| TileId::root(p)).collect();
-    let mut chosen = Vec::new();
-    while let Some(id) = open.pop_front() {
+    let looked_at = |id: TileId| {
         let b = bounds(id);
         let centre_m = b.centre.distance(visibility.eye);
-        let Judged { shows, divisible, finer, most, ground_m } = judge(id, centre_m + b.radius, &visibility, &b);
-        if !shows || !serves(id, &b) {
-            continue;
+        let judged = judge(id, centre_m + b.radius, &visibility, &b);
+        if !judged.shows || !serves(id, &b) {
+            return None;
         }
         // The middle of the ground under the eye is nearer than any bounding sphere tells.
-        let over_m = (camera.altitude_m - ground_m).abs();
-        let to_ground_m = if ground_m > 0.0 {
-            (b.centre + b.centre.normalize() * ground_m).distance(visibility.eye)
+        let over_m = (camera.altitude_m - judged.ground_m).abs();
+        let to_ground_m = if judged.ground_m > 0.0 {
+            (b.centre + b.centre.normalize() * judged.ground_m).distance(visibility.eye)
         } else {
             centre_m
         };
         let distance = (to_ground_m - b.radius).max(over_m).max(NEAREST_M);
-        let fine = finer * texel_size_m(id.projection, id.z, b.lat) <= distance * visibility.pixel_angle;
-        let room = chosen.len() + open.len() < most;
-        match id.children().filter(|_| !fine && divisible && room) {
-            Some(children) => open.extend(children),
+        let lack = judged.finer * texel_size_m(id.projection, id.z, b.lat) / (distance * visibility.pixel_angle);
+        Some(Open { id, lack, judged })
+    };
+    let mut open: BinaryHeap<Open> = Projection::ALL.iter().filter_map(|&p| looked_at(TileId::root(p))).collect();
+    let mut chosen = Vec::new();
+    while let Some(Open { id, lack, judged }) = open.pop() {
+        let room = chosen.len() + open.len() < judged.most;
+        match id.children().filter(|_| lack > 1.0 && judged.divisible && room) {
+            Some(children) => open.extend(children.into_iter().filter_map(looked_at)),
             None => chosen.push(id),
         }
     }
+    chosen.sort_by_key(|id| id.z);
     chosen
 }
 
