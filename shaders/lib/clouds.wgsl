@@ -168,7 +168,8 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
     let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0), 0.0);
-    let tall = cloud_top(cloud.excess, weather.x) * (CLOUD_TOP - CLOUD_BASE);
+    // Where clouds close they are dense below what makes heaps high: as if they were as high as heaps of that level.
+    let tall = cloud_top(cloud.excess, 0.0) * (CLOUD_TOP - CLOUD_BASE);
     let through = exp(-HEAP_EXTINCTION * cloud.excess * tall / mu);
     let cover = cloud_cover(weather, overhead, footprint);
     let left = 1.0 - cloud.share * (1.0 - through);

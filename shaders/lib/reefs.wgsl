@@ -15,7 +15,7 @@ fn out_of(at: vec2f, ellipse: vec4f) -> f32 {
 }
 
 // Whether the data leave reefs to be made up, and tell where.
-fn has_reefs() -> bool { return frame.terrain_resolution >= REEFS_MEASURED && frame.terrain_resolution < REEFS_COARSEST; }
+fn has_reefs() -> bool { return (frame.terrain_resolution >= REEFS_MEASURED) & (frame.terrain_resolution < REEFS_COARSEST); }
 
 // How far there is a reef about a place where the mean elevation of so wide texels is so high.
 fn reef_share(point: MapPoint, sin_lat: f32, mean: Metres, width: Metres) -> f32 {
