@@ -243,7 +243,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
     if CLOUDS {
-        light = clouded_daylight(clear, up, shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow, OWN_SHADOWS));
+        let below = shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow, OWN_SHADOWS);
+        // Summits stand in the layer, or above it.
+        light = clouded_daylight(clear, up, mix(below, vec3f(1.0, 0.0, 1.0), smoothstep(CLOUD_BASE, CLOUD_TOP, ground.elevation)));
     }
     var made = NO_RELIEF;
     made.towers = towers_share(in.kind.w, at.sin_lat);

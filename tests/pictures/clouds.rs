@@ -404,3 +404,21 @@ fn clouds_from_space_are_not_out_of_focus() {
         assert!(found > 1.4 * soft && found < 0.45, "{found}");
     }
 }
+
+#[test]
+fn summits_above_the_clouds_stand_in_no_shadow() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // At 2,490 m, over slopes that stand before the sky as well.
+    let mut light = |clouds: &str| {
+        let link = format!("#view=47.15,11,3,10,88&time=2026-06-21T12:00:00Z&{clouds}");
+        render::measure(&mut renderer, &render::parse_state(&link).unwrap(), SIZE, LayerName::Radiance).unwrap().values
+    };
+    let [clear, cloudy] = ["clouds=0", "clouds=0.3"].map(&mut light);
+    // The lower half is ground.
+    let ground = clear.len() / 2..;
+    let pairs = clear[ground.clone()].chunks_exact(3).zip(cloudy[ground].chunks_exact(3));
+    let least = pairs.map(|(clear, cloudy)| cloudy[1] / clear[1]).fold(f64::INFINITY, f64::min);
+    println!("of the light without clouds the darkest place has {least:.3}");
+    // The air before the ground is that of the eye's sky.
+    assert!(least > 0.9, "{least}");
+}
