@@ -35,7 +35,7 @@ const CLOSED_CLOUD = 2.8;               // least optical depth of closed ones; a
 const CLOSED_FROM = 0.3;                // deviations of the weather's level from which clouds close, and where they are closed
 const CLOSED_TO = 1.8;
 const CLOUD_OPACITY = 0.05;            // per metre, a deviation above the edge: what hides, not what darkens
-const CLOUD_SCATTERS = 0.05 * ASIDE; // per metre of a heap, of droplets; closed layers are less dense
+const CLOUD_SCATTERS = CLOUD_OPACITY * ASIDE; // per metre of a heap; closed layers are less dense
 const MOTTLED = 1.3;                    // of closed ones: logarithm of the density, for each deviation above the weather's level
 const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: Eddington's
 // Of an optical depth towards the sun: what a heap loses through its sides of the light that goes up in it, and of that which goes down.

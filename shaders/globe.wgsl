@@ -62,7 +62,7 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ground = ground_from_afar(point, sin_lat, max(across, 1.0));
     let clear = daylight_at(dot(frame.light, up));
     var light = clear;
-    if CLOUDS { light = clouded_daylight(clear, up, shadow_in(in_net(device, cloud_net_size()))); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_at_height(shadow_in(in_net(device, cloud_net_size())), ground.elevation)); }
     let ground_across = ground_footprint(across, direction, up);
     let width = width_to_shore(ground, sinking(point, direction, up, LEAST_SINKING), across);
     let lit = lit_ground(Place(distance, dn, point, vec2f(0.0), sin_lat, ground, SANDY_SHORE, 0.0), direction, up, up, ground_across, width, NO_RELIEF, light, 0.0);

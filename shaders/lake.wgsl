@@ -90,7 +90,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var light = clear;
     // The net of clouds' shadows is over the ellipsoid, as for hills.
     let below_lake = rest - max(frame.water_level, 0.0) * up;
-    if CLOUDS { light = clouded_daylight(clear, up, shadow_of_pixel(below_lake, vec3f(0.0), FINE)); }
+    if CLOUDS { light = clouded_daylight(clear, up, shadow_at_height(shadow_of_pixel(below_lake, vec3f(0.0), FINE), frame.water_level)); }
     var water = inland_water(rest, ground, direction, up, normal, slopes.rough, foam);
     water.facets = facets_at(foam_at, across, grazing);
     water.glow = crests_shown(distance) * crest_light(direction, normal, up, in.ahead, water.kind, foam.plume, light.sun);

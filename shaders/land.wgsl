@@ -244,8 +244,7 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     var light = clear;
     if CLOUDS {
         let below = shadow_of_pixel(direction * distance - max(ground.elevation, 0.0) * up, in.shadow, OWN_SHADOWS);
-        // Summits stand in the layer, or above it.
-        light = clouded_daylight(clear, up, mix(below, vec3f(1.0, 0.0, 1.0), smoothstep(CLOUD_BASE, CLOUD_TOP, ground.elevation)));
+        light = clouded_daylight(clear, up, shadow_at_height(below, ground.elevation));
     }
     var made = NO_RELIEF;
     made.towers = towers_share(in.kind.w, at.sin_lat);

@@ -86,6 +86,9 @@ fn shadow_of_pixel(place: vec3f, of_vertices: vec3f, of_pixels: bool) -> vec3f {
     return shadow_in(in_net_of(place, cloud_net_size()));
 }
 
+// That of ground or water so high: summits stand among the clouds, or above them.
+fn shadow_at_height(shadow: vec3f, height: Metres) -> vec3f { return mix(shadow, vec3f(1.0, 0.0, 1.0), smoothstep(CLOUD_BASE, CLOUD_TOP, height)); }
+
 fn clouded_daylight(light: Daylight, up: vec3f, shadow: vec3f) -> Daylight { return shaded(light, dot(frame.light, up), shadow); }
 
 // At the eye's foot.

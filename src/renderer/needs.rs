@@ -22,7 +22,7 @@ use crate::scene::view::state::ViewState;
 /// picture and of a still one; a step that has been begun takes as long again.
 const WORK_S: [f64; 2] = [0.003, 0.03];
 
-/// Half a diagonal of the ground's narrowest cells, metres, and how deep a hollow may be that they span.
+/// Half a diagonal of the narrowest cells of hilly ground, metres, and how deep a hollow may be that they span.
 const HALF_CHORD_M: f64 = 6.7;
 const DEEPEST_HOLLOW_M: f64 = 10.0;
 
@@ -42,9 +42,11 @@ impl Renderer {
         self.complete = self.streaming.want(&mut self.world, &wanted, camera.lat, camera.lon) && is_settled;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
-        let below_m = self.place_below(camera).map(|place| place.elevation_m);
-        self.visible = (!frame.is_globe())
-            .then(|| drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground(), below_m));
+        self.visible = (!frame.is_globe()).then(|| {
+            let foot = self.place_below(camera).filter(|place| place.depth_m.is_none());
+            let foot_m = foot.map(|place| place.elevation_m);
+            drawn_tiles(camera, frame.size, &self.streaming, hiding, frame.wider_ground(), foot_m)
+        });
         let side = self.side(frame);
         // What is there stays; others wait for the picture's own tiles.
         let trains = (side.shows_surf && frame.shows_trains && frame.is_fine(), self.complete);
@@ -104,8 +106,8 @@ impl Renderer {
         self.shores.waves_at(at, place.shallows()?, ticks)
     }
 
-    /// About how high the mesh of dry ground stands below an eye, metres: over hollows narrower than its cells it is a chord.
-    fn mesh_below(&mut self, eye: &Camera, place: &Sample) -> f64 {
+    /// About how high the mesh of land, or of water in it, stands below an eye, of what is at its foot, metres: over hollows narrower than its cells it is a chord.
+    pub fn mesh_below(&mut self, eye: &Camera, place: &Sample) -> f64 {
         if eye.altitude_m > place.elevation_m + DEEPEST_HOLLOW_M {
             return place.elevation_m;
         }
@@ -113,11 +115,12 @@ impl Renderer {
         let east = north / eye.lat.cos().max(0.01);
         let ways = [(1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.7, -0.7)];
         let chords = ways.map(|(x, y)| {
-            let end = |side: f64| self.world.sample_passing(eye.lat + side * y * north, eye.lon + side * x * east);
+            let end = |side: f64| self.world.sample_resident(eye.lat + side * y * north, eye.lon + side * x * east);
             let ends = [1.0, -1.0].map(end).map(|end| end.map_or(place.elevation_m, |end| end.elevation_m));
             0.5 * (ends[0] + ends[1])
         });
-        chords.into_iter().fold(place.elevation_m, f64::max)
+        // Where it is asked for no more it is no step.
+        chords.into_iter().fold(place.elevation_m, f64::max).min(place.elevation_m + DEEPEST_HOLLOW_M - LOWEST_M)
     }
 
     /// A camera lifted by a part of the drawn water's height below it, as [`Seas::lifted`](crate::scene::sea::Seas::lifted).

@@ -401,7 +401,8 @@ fn clouds_from_space_are_not_out_of_focus() {
         assert_eq!(frame.is_globe(), is_globe);
         let found = sharpness(&green_light(&mut renderer, &link, SIZE), SIZE);
         println!("from {altitude_m} m {found:.3}");
-        assert!(found > 1.4 * soft && found < 0.45, "{found}");
+        // 0.098 and 0.357.
+        assert!(found > 1.7 * soft && found < 2.6 * soft, "{found}");
     }
 }
 
@@ -417,8 +418,9 @@ fn summits_above_the_clouds_stand_in_no_shadow() {
     // The lower half is ground.
     let ground = clear.len() / 2..;
     let pairs = clear[ground.clone()].chunks_exact(3).zip(cloudy[ground].chunks_exact(3));
-    let least = pairs.map(|(clear, cloudy)| cloudy[1] / clear[1]).fold(f64::INFINITY, f64::min);
+    let lit: Vec<f64> = pairs.map(|(clear, cloudy)| cloudy[1] / clear[1]).collect();
+    let least = lit.iter().fold(f64::INFINITY, |least, lit| least.min(*lit));
     println!("of the light without clouds the darkest place has {least:.3}");
-    // The air before the ground is that of the eye's sky.
-    assert!(least > 0.9, "{least}");
+    // With the shadows that clouds cast below them it has 0.204. The air before the ground is that of the eye's sky.
+    assert!(lit.iter().all(|lit| lit.is_finite()) && (0.9..1.1).contains(&least), "{least}");
 }

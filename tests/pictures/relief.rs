@@ -214,6 +214,12 @@ fn an_eye_as_low_as_it_may_be_stands_on_the_ground_that_is_drawn() {
             below.push([lat, lng]);
         }
     }
+    // Without chords over hollows 1 of them is, without the ground at the eye's foot 2.
     println!("of 24 eyes {} are below the ground: {below:?}", below.len());
     assert!(below.is_empty(), "{below:?}");
+    // And along the slope in a picture so large that there is no room for all tiles: its left upper corner is sky. Those at the foot were not divided.
+    let link = "#view=46.4,6.6,5,70,86&clouds=0&wind=0@0&time=2026-06-21T12:00:00Z&quality=high";
+    let heights =
+        render::measure(&mut renderer, &parse_state(link).unwrap(), [1280, 720], LayerName::Height).unwrap().values;
+    assert!(heights[100 * 1280 + 100].is_nan() && heights[700 * 1280 + 100].is_finite());
 }

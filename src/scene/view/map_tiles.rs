@@ -25,7 +25,7 @@ const LEVELS_BELOW: u8 = 6;
 pub const RELIEF_M: f64 = 9_500.0;
 /// Tiles that one frame may draw.
 const MOST_TILES: usize = 420;
-/// As [`MOST_TILES`], with those that were divided for their relief.
+/// With those into which steep ones are divided for their ridges.
 const MOST_RUGGED: usize = 1_000;
 /// Deepest level of tiles with relief: cells of 9.5 m at the equator, which hold all that [`crate::model::relief::MESH_FOOTPRINT_M`] asks for.
 const DEEPEST_RUGGED: u8 = 18;
@@ -250,7 +250,7 @@ pub fn wanted_tiles(camera: &Camera, size: [u32; 2], tiles: &Streaming) -> Vec<T
         shows: visibility.sees(b, [-RELIEF_M, RELIEF_M]),
         divisible: id.z < deepest_tiles(&Layer::ALL, id.projection, tiles),
         finer: 1.0,
-        most: MOST_TILES,
+        is_steep: false,
         ground_m: 0.0,
     })
 }
@@ -277,15 +277,15 @@ pub fn nearest_pixel_m(camera: &Camera, size: [u32; 2], drawn: &[DrawnTile], til
 }
 
 /// The tiles of the ground to draw in a picture of `size` pixels, each place once, coarse tiles first, given what `tiles` at hand say of
-/// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual. `below_m` is how high the ground stands below the eye,
-/// metres, where that is known.
+/// the ground, and how the sea hides its bed, if it does. Cells are `wider` times as wide as usual. `foot_m` is the elevation of the dry ground at
+/// the eye's foot, metres, where that is known.
 pub fn drawn_tiles(
     camera: &Camera,
     size: [u32; 2],
     tiles: &Streaming,
     hiding: Option<Hiding>,
     wider: f64,
-    below_m: Option<f64>,
+    foot_m: Option<f64>,
 ) -> Vec<DrawnTile> {
     let visibility = Visibility::new(camera, size);
     let foot = WGS84.ecef_from_geodetic(Geodetic { lat: camera.lat, lon: camera.lon, height: 0.0 });
@@ -298,12 +298,13 @@ pub fn drawn_tiles(
         let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
         let Some((range_m, has_walls)) = rugged(id, tiles).filter(|(range_m, _)| is_held && *range_m >= RUGGED_M)
         else {
-            return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, most: MOST_TILES, ground_m: 0.0 };
+            return Judged { shows, divisible: id.z < usual, finer: 1.0 / wider, is_steep: false, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
-        // On the way from the eye's foot no slope leads far from what the ground is there.
+        // On the way from the eye's foot slopes lead no farther up or down than they are wide, but for walls.
         let reach_m = (b.centre.distance(foot) - b.radius).max(0.0);
-        let ground_m = below_m.map_or(ground_m, |below_m| ground_m.clamp(below_m - reach_m, below_m + reach_m));
+        let ground_m =
+            foot_m.map_or(ground_m, |foot_m| ground_m.clamp((foot_m - reach_m).max(0.0), foot_m.max(0.0) + reach_m));
         let finer = if range_m > STEEP_M {
             2.0
         } else if id.z < usual || has_walls {
@@ -311,8 +312,7 @@ pub fn drawn_tiles(
         } else {
             0.5
         };
-        let most = if finer > 1.0 { MOST_RUGGED } else { MOST_TILES };
-        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, most, ground_m }
+        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, is_steep: finer > 1.0, ground_m }
     });
     ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
 }
@@ -325,8 +325,8 @@ struct Judged {
     divisible: bool,
     /// How many times finer than usual it shall be.
     finer: f64,
-    /// So many tiles there may be when it is refined.
-    most: usize,
+    /// It is divided for its ridges: there is more room for such.
+    is_steep: bool,
     /// How high its ground is, metres; 0 where that does not matter.
     ground_m: f64,
 }
@@ -355,11 +355,12 @@ impl PartialOrd for Open {
 
 impl Ord for Open {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.lack.total_cmp(&other.lack)
+        let place = |id: TileId| (id.z, id.projection as u8, id.y, id.x);
+        self.lack.total_cmp(&other.lack).then_with(|| place(other.id).cmp(&place(self.id)))
     }
 }
 
-/// The quadtree's leaves, coarse ones first: where there is no room for all, those that lack most are refined. `judge` says of a tile, whose farthest point is
+/// The quadtree's leaves, coarse ones first: where there is no room for all, those that lack most are refined, and steep ones leave others theirs. `judge` says of a tile, whose farthest point is
 /// some metres from the eye, what is to become of it.
 fn refined(
     camera: &Camera,
@@ -387,10 +388,17 @@ fn refined(
     };
     let mut open: BinaryHeap<Open> = Projection::ALL.iter().filter_map(|&p| looked_at(TileId::root(p))).collect();
     let mut chosen = Vec::new();
+    // Tiles that there are more since steep ones have been divided.
+    let mut of_steep = 0;
     while let Some(Open { id, lack, judged }) = open.pop() {
-        let room = chosen.len() + open.len() < judged.most;
+        let others = open.len();
+        let all = chosen.len() + others;
+        let room = if judged.is_steep { all < MOST_RUGGED } else { all < MOST_TILES + of_steep };
         match id.children().filter(|_| lack > 1.0 && judged.divisible && room) {
-            Some(children) => open.extend(children.into_iter().filter_map(looked_at)),
+            Some(children) => {
+                open.extend(children.into_iter().filter_map(looked_at));
+                of_steep += if judged.is_steep { open.len().saturating_sub(others + 1) } else { 0 };
+            }
             None => chosen.push(id),
         }
     }
