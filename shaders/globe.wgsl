@@ -94,7 +94,8 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let radiance = mix(lit.radiance, water_radiance(water, light, clear), water_share);
     // Land fills the pixels whose middles it meets, as its tiles do.
     let share = select(select(1.0, 0.0, misses), limb.share, ground.is_ocean);
-    let seen = mix(sky, through_air(radiance, light, up, direction, distance), share);
+    let before = select(distance - above_ellipsoid(ground.elevation, direction, up), distance, ground.is_ocean);
+    let seen = mix(sky, through_air(radiance, light, up, direction, before), share);
     if !MEASURED { return vec4f(seen * frame.exposure, 1.0); }
     if ground.is_ocean { return measured_output(Measured(rest, distance, depth, water.alpha, 0.0, up, 1.0, mix_weights(distance).y, vec3f(0.0)), seen); }
     return measured_output(Measured(rest, distance, 0.0, 0.0, ground.elevation, lit.normal, water_class(ground), 0.0, lit.albedo), seen);

@@ -220,8 +220,8 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
         discard;
         return vec4f(0.0);
     }
-    // A lake has less air before it the higher it lies: as where its triangles tell the distance.
-    if by_ray && at.ground.is_lake { at.distance -= at.ground.elevation / max(-dot(direction, at.dn + vec3f(0.0, 0.0, 1.0)), 0.05); }
+    // Ground and lakes have less air before them the higher they lie: as where their triangles tell the distance.
+    if by_ray && !at.ground.is_ocean { at.distance -= above_ellipsoid(at.ground.elevation, direction, at.dn + vec3f(0.0, 0.0, 1.0)); }
     let distance = at.distance;
     let ground = at.ground;
     let up = at.dn + vec3f(0.0, 0.0, 1.0);

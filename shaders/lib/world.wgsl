@@ -6,6 +6,9 @@
 // a sea whose surface is at a distance, and what is not is its bed.
 fn nearest_bed(surface: Metres) -> Metres { return 0.996 * surface - 2.0; }
 
+// How much nearer along a sight ground so high is than the ellipsoid behind it.
+fn above_ellipsoid(elevation: Metres, direction: vec3f, up: vec3f) -> Metres { return elevation / max(-dot(direction, up), 0.05); }
+
 struct Ground {
     elevation: Metres,      // of the dry or submarine ground, shaped to agree with the shore
     ocean_shore: Metres,    // signed distance, positive in the ocean

@@ -253,3 +253,23 @@ fn foam_can_be_taken_away() {
     assert!(without < 0.7 * with, "{without} of {with}");
     assert_eq!(with, with_again);
 }
+
+#[test]
+fn the_higher_ground_is_the_less_air_is_before_it_seen_from_space() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // Forests on the eastern slope of the Andes, where pixels' own rays tell the place.
+    let state = render::parse_state("#view=-12.5,-72,600000,0,0&clouds=0&time=2026-06-21T16:30:00Z").unwrap();
+    let mut layer = |layer| render::measure(&mut renderer, &state, [320, 180], layer).unwrap().values;
+    let (light, heights) = (layer(LayerName::Radiance), layer(LayerName::Height));
+    let blue = |low: f64| {
+        let of_band = heights.iter().zip(light.chunks_exact(3)).filter(|(h, _)| (low..low + 300.0).contains(*h));
+        let (count, sum) = of_band.fold((0, 0.0), |(count, sum), (_, light)| (count + 1, sum + light[2]));
+        println!("{low} m: {count} pixels, {:.5}", sum / f64::from(count));
+        assert!(count > 100);
+        sum / f64::from(count)
+    };
+    let [low, high] = [200.0, 1_400.0].map(blue);
+    println!("1,200 m higher there is {:.3} of it", high / low);
+    // The molecules' air is less by exp(-1.2 / 8), 0.861, and what forests send back, a third of this light, is somewhat more. With as much air it is 1.074.
+    assert!((0.86..1.0).contains(&(high / low)), "{}", high / low);
+}
