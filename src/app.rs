@@ -118,7 +118,7 @@ impl App {
         let renderer = &mut self.drawing.renderer;
         // An eye that the terrain about a lake has lifted would not come down again.
         match renderer.place_below(&self.state.camera).filter(|_| renderer.knows_level_below(&self.state.camera)) {
-            Some(sample) if sample.class != WaterClass::Ocean => renderer.mesh_below(&self.state.camera, &sample),
+            Some(sample) if sample.class != WaterClass::Ocean => sample.elevation_m,
             Some(sample) if in_water => sample.elevation_m + OVER_BED_M - LOWEST_M,
             None if in_water => altitude_m - LOWEST_M,
             _ => 0.0,

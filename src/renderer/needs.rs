@@ -107,7 +107,7 @@ impl Renderer {
     }
 
     /// About how high the mesh of land, or of water in it, stands below an eye, of what is at its foot, metres: over hollows narrower than its cells it is a chord.
-    pub fn mesh_below(&mut self, eye: &Camera, place: &Sample) -> f64 {
+    fn mesh_below(&mut self, eye: &Camera, place: &Sample) -> f64 {
         if eye.altitude_m > place.elevation_m + DEEPEST_HOLLOW_M {
             return place.elevation_m;
         }
