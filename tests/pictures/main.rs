@@ -4,6 +4,7 @@ mod any_view;
 mod beach;
 mod bench;
 mod clouds;
+mod clouds_from_above;
 mod edges;
 mod flight;
 mod geoid;

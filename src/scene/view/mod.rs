@@ -6,4 +6,5 @@ pub mod inertia;
 pub mod map_tiles;
 pub mod named;
 pub mod navigate;
+mod quadtree;
 pub mod state;
