@@ -31,6 +31,7 @@ use crate::scene::view::camera::{Camera, LOWEST_M, OVER_BED_M};
 use crate::scene::view::flight::Flight;
 use crate::scene::view::inertia::Navigator;
 use crate::scene::view::named::View;
+use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 use address::Address;
 use drawing::{Drawing, Wish};
@@ -134,6 +135,7 @@ impl App {
         if hands.takes_over() {
             self.flight = None;
         }
+        let before = self.state.camera;
         let mut moving = false;
         if let Some((flight, elapsed_s)) = &mut self.flight {
             *elapsed_s += eye_seconds;
@@ -145,6 +147,10 @@ impl App {
         }
         let keys = hands.apply(&mut self.navigator, &mut self.state.camera, &mut self.last_drag_s);
         moving |= self.navigator.step(&mut self.state.camera, keys, size, ground_m, eye_seconds);
+        // An eye at rest is lifted where it is drawn alone: by coarse tiles, before finer ones come, it might be lifted for good.
+        if self.state.camera != before {
+            self.state.camera = above_ground(&self.state.camera, ground_m);
+        }
         let unix_seconds = clock::advance(&mut self.state, seconds, clock::unix_now_s());
         (unix_seconds, moving)
     }

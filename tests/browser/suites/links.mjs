@@ -20,6 +20,13 @@ export function linkTests(site) {
     assert.ok(other.mean > 10, `another link gives the same picture: ${JSON.stringify(other)}`);
   });
 
+  test("an eye that its link puts under the ground is lifted where it is drawn alone: coarse tiles, which come first, are higher", async () => {
+    const globe = await site.openLink("#view=46.4,6.6,5,70,86&clouds=0&quality=low&time=2026-06-21T09:00:00Z&rate=0");
+    await globe.settled();
+    assert.match((await globe.fragment()).view, /^46\.40*,6\.60*,5(\.0+)?,70/);
+    await globe.close();
+  });
+
   test("back and forward step through the views", async () => {
     const globe = await site.show(FROM_ORBIT);
     const orbit = await globe.picture();
