@@ -10,6 +10,7 @@
 
 const SHOWS_COVER = false;
 const GROWTH = false;
+const TOWN = false;
 const MIRRORS_CLOUDS = false;      // so far away only their mean shows
 const WAVES = false;
 const NOISE = false;

@@ -27,6 +27,7 @@ use crate::pass::sky_table::SkyTable;
 use crate::pass::sky_view::SkyView;
 use crate::pass::spindrift::{self, Spindrift};
 use crate::pass::stars::Stars;
+use crate::pass::towns::Towns;
 use crate::pass::world_tiles::WorldTiles;
 use crate::scene::frame::Frame;
 use crate::scene::frame::uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
@@ -66,6 +67,7 @@ pub struct Renderer {
     radiance_format: wgpu::TextureFormat,
     streaming: Streaming,
     tiles: WorldTiles,
+    towns: Towns,
     frame_group: FrameGroup,
     /// The same with the block of the lake around the eye.
     lake_group: FrameGroup,
@@ -119,7 +121,8 @@ impl Renderer {
     }
 
     fn build(gpu: Gpu, world: World, radiance: wgpu::TextureFormat) -> Self {
-        let tiles = WorldTiles::new(&gpu);
+        let towns = Towns::new(&gpu);
+        let tiles = WorldTiles::new(&gpu, &towns.buffer);
         let (atlases, pages) = tiles.bindings();
         let [frame_group, lake_group] = [(); 2].map(|()| FrameGroup::new(&gpu, &atlases, pages));
         let frame = &frame_group.layout;
@@ -150,6 +153,7 @@ impl Renderer {
             radiance_format: radiance,
             streaming: Streaming::default(),
             tiles,
+            towns,
             frame_group,
             lake_group,
             air_table,
@@ -245,7 +249,9 @@ impl Renderer {
             };
             // Waves of lakes cost as much as all else where none is, too.
             let near_of = |id| if near == Near::Lakes && !self.streaming.has_inland(id) { Near::Growth } else { near };
-            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied(), near_of, beach);
+            self.towns.prepare(&self.gpu, frame);
+            let has_town = |id| frame.is_fine() && self.towns.are_on(id);
+            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied(), near_of, has_town, beach);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

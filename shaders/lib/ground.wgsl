@@ -1,8 +1,9 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
-// what grows on the ground and its grain, and SHOWS_COVER, whether they may be so narrow
+// what grows on the ground and its grain, TOWN, whether there may be houses, and SHOWS_COVER, whether they may be so narrow
 // that they show what covers the bed.
 #import ground_colour
 #import bed_cover
+#import built_up
 #import imagery
 #import inland
 #import plants
@@ -26,6 +27,7 @@ const KIND_SEEN = vec2f(100.0, 400.0);  // widths of pixels, m, between which sh
 const BANK = vec3f(0.15, 0.145, 0.135);
 const MUD = vec3f(0.085, 0.073, 0.052);
 const BANK_WIDTH = 0.1;          // of a beach's
+const QUAYS = vec2f(0.02, 0.25); // how far shores are such banks, between which towns go over from beaches to quays
 const WAVE_CUT = vec3f(0.115, 0.108, 0.092); // rock at the foot of walls, wet and overgrown
 const WOODED = 0.7;              // of what towers' tops and ledges reflect: forests grow there
 const WALLED_WIDTH = 0.06;       // and below walls
@@ -138,15 +140,19 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         let covers = mix(COVES.x, COVES.y, rocky);
         rocky = smoothstep(0.0, 0.2, rocky) * smoothstep(covers + COVES.z, covers, map_noise(point.at, 15u, 83u));
     }
-    let bank = at.kind.bank * kind_seen;
+    var built = NOT_BUILT_UP;
+    if TOWN && !is_apart { built = built_up(point.at, length(terrain), footprint); }
+    // Towns have quays where few waves come, and beaches else.
+    let bank = kind_seen * max(at.kind.bank, built.share * smoothstep(QUAYS.x, QUAYS.y, at.kind.bank));
     let towers = made.towers * kind_seen;
     var usual_width = BEACH * mix(mix(mix(1.0, ROCKY_WIDTH, rocky), BANK_WIDTH, bank), WALLED_WIDTH, towers);
-    let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)));
+    let banked = mix(mix(BANK, SHORE_ROCK, rocky), MUD, smoothstep(WARM.y, WARM.x, abs(sin_lat)) * (1.0 - built.share));
     let hard = max(smoothstep(0.04, 0.12, length(terrain)), ground.cliff);
     let plain_sand = mix(mix(mix(mix(SAND, SHORE_ROCK, rocky), banked, bank), WAVE_CUT, select(towers, 0.0, is_bed)), ROCK, hard);
     var sand = plain_sand;
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
+    var shines = vec3f(0.0);
     var rises = vec2f(0.0);
     var own_shade = 0.0;
     var standing = NOTHING_STANDS;
@@ -166,7 +172,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             flat = mix(1.0, across / growth, greenness(albedo));
             let detail = ground_detail(point.at, growth);
             let green = greenness(albedo);
-            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore);
+            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
             // What stands on a slope stands upright: a sight and the sun's light sink to that, not to the level.
             let raised = lies / max(dot(lies, up), 0.1);
             let sinks = max(-dot(direction, raised), LEAST_SINKING);
@@ -181,7 +187,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, max(towers, steep) <= 0.0);
             let rock = 0.8 * (1.0 - towers) * saturate(steep + 6.0 * LAYERED * steep * (1.0 - steep) * wall.layers);
             let bare_wall = towers * wall.bare;
-            let all_woods = wooded(albedo, green) * (1.0 - farm);
+            let all_woods = wooded(albedo, green) * (1.0 - farm) * (1.0 - built.share);
             let woods = select(woods_at(all_woods, detail.stands), all_woods, is_bed);
             // Woods and grass hang over the water here, where the shore is steep or rock, and there is a beach or bare rock there.
             let open_shore = smoothstep(-0.12, 0.2, map_noise_rise(point.at, 15u, 87u).x + 0.7 * map_noise_rise(point.at, 17u, 88u).x);
@@ -207,9 +213,17 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             own_shade = trees * mix(HOT_SPOT * (towards_sun * towards_sun - HOT_SPOT_MEAN), CROWN_GAIN, standing.cover);
             albedo = mix(albedo, ROCK * mix(1.0, OVERGROWN_ROCK, holds) * max(1.0 + ROCK_LAYERS * wall.layers - ROCK_STREAKS * wall.streaks, 0.3), rock);
             albedo = mix(albedo * mix(1.0, WOODED, green * towers), wall.albedo, bare_wall);
-            rises *= 1.0 - bare_wall;
-            standing.cover *= 1.0 - bare_wall;
-            standing.shade *= 1.0 - bare_wall;
+            var hidden = bare_wall;
+            if TOWN {
+                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, across);
+                let paved = select(built.share, 0.0, is_bed) * town.cover * (1.0 - rock);
+                albedo = mix(albedo, town.albedo, paved);
+                hidden = max(hidden, paved);
+                shines = select(built.share, 0.0, is_bed) * (1.0 - rock) * lamps_lit(up) * town.shines;
+            }
+            rises *= 1.0 - hidden;
+            standing.cover *= 1.0 - hidden;
+            standing.shade *= 1.0 - hidden;
             grown = max(grown, 0.85 * standing.cover);
         }
     } else if !is_apart {
@@ -238,5 +252,5 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     let sun = light.sun * (1.0 + own_shade) * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
     // Valleys see less of the sky.
     let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
-    return LitGround(normal, albedo, albedo / PI * (sun + ambient), select(sandy * (1.0 - grown), 0.0, is_bed));
+    return LitGround(normal, albedo, albedo / PI * (sun + ambient) + shines, select(sandy * (1.0 - grown), 0.0, is_bed));
 }

@@ -22,6 +22,7 @@ pub mod stars;
 pub mod streaming;
 pub mod terrarium;
 pub mod tile;
+pub mod towns;
 pub mod water;
 pub mod world;
 

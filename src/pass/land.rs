@@ -54,11 +54,6 @@ pub enum Near {
 
 impl Near {
     const ALL: [Self; 3] = [Self::Nothing, Self::Growth, Self::Lakes];
-
-    /// Whether pictures of a kind are drawn so: what all show without it is left to [`Near::Growth`].
-    fn is_of(self, kind: Kind) -> bool {
-        self == Self::Growth || kind.shows_lakes()
-    }
 }
 
 /// What is drawn of ground where beaches are that waves run up.
@@ -77,20 +72,63 @@ impl Beach {
     pub const ALL: [Self; 3] = [Self::Absent, Self::Beside, Self::Only];
 }
 
-/// The composed shader of a kind of picture, with imagery or without; of ground with relief that the data do not hold or without. Beaches are never drawn
-/// without what grows beside them.
-pub fn source(kind: Kind, imagery: bool, near: Near, rugged: bool, beach: Beach) -> String {
+/// What the ground of a tile is drawn with; each has pipelines of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ground {
+    /// What may show on it.
+    pub near: Near,
+    /// What of its beaches.
+    pub beach: Beach,
+    /// Whether it has relief that the data do not hold.
+    pub rugged: bool,
+    /// Whether there may be houses.
+    pub town: bool,
+}
+
+impl Ground {
+    /// Every one.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let each = |bits: usize| {
+            let [rugged, town] = [1, 2].map(|bit| bits & bit != 0);
+            Self { near: Near::ALL[bits >> 2 & 3], beach: Beach::ALL[bits >> 4], rugged, town }
+        };
+        (0..48).filter(|bits| bits >> 2 & 3 < 3).map(each)
+    }
+
+    /// Whether pictures of a kind are drawn with it: those that show towns are fine, and what all show without lakes is left to [`Near::Growth`].
+    fn is_of(self, kind: Kind) -> bool {
+        let has_beach = self.beach == Beach::Absent || kind.shows_lakes();
+        (self.near == Near::Growth || kind.shows_lakes()) && has_beach && (!self.town || kind.fine)
+    }
+
+    /// Its place among [`Ground::all`].
+    fn index(self) -> usize {
+        let Self { near, beach, rugged, town } = self;
+        ((beach as usize * 3 + near as usize) * 2 + usize::from(town)) * 2 + usize::from(rugged)
+    }
+}
+
+/// The composed shader of a kind of picture, with imagery or without. Beaches are never drawn without what grows beside them.
+pub fn source(kind: Kind, imagery: bool, Ground { near, beach, rugged, town }: Ground) -> String {
     let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach != Beach::Absent);
     let [beside, swash] = [Beach::Beside, Beach::Only].map(|of| beach == of);
-    let shown = [("RUGGED", rugged), ("LAKES", lakes), ("BESIDE", beside), ("SWASH", swash), ("GROWTH", growth)];
+    let town = town && imagery && kind.fine;
+    let shown = [
+        ("RUGGED", rugged),
+        ("LAKES", lakes),
+        ("BESIDE", beside),
+        ("SWASH", swash),
+        ("GROWTH", growth),
+        ("TOWN", town),
+    ];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
 }
 
 /// The pass.
 pub struct Land {
-    /// As [`Near::ALL`] and [`Beach::ALL`], each of ground without relief of its own and with.
-    pipelines: [[[ByGround; 2]; 3]; 3],
+    /// As [`Ground::all`].
+    pipelines: Vec<ByGround>,
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     blocks: Blocks,
@@ -101,9 +139,9 @@ pub struct Land {
     triangles: u32,
 }
 
-/// Of so many tiles, one after the other in the buffer, what of their grids, by the pipelines of what may show on them, of a beach, and of ground with relief or without.
+/// Of so many tiles, one after the other in the buffer, what of their grids, and what it is drawn with.
 struct Draw {
-    by: (Near, Beach, bool),
+    by: Ground,
     indices: Range<u32>,
     instances: Range<u32>,
 }
@@ -156,19 +194,17 @@ impl Land {
             layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
         ];
         let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |near: Near, beach: Beach, rugged: bool| {
-            let source = |kind, imagery| source(kind, imagery, near, rugged, beach);
-            let shows = move |kind: &Kind| near.is_of(*kind) && (beach == Beach::Absent || kind.shows_lakes());
-            let kinds = move || Kind::all().filter(shows);
+        let pipelines = |ground: Ground| {
+            let kinds = move || Kind::all().filter(move |kind| ground.is_of(*kind));
             ByGround::new(kinds, |kind, imagery| {
-                gpu.drawing("land", (&source(kind, imagery), "vertex"), &groups, &buffers, colour, depth)
+                let source = source(kind, imagery, ground);
+                gpu.drawing("land", (&source, "vertex"), &groups, &buffers, colour, depth)
             })
         };
         let (vertices, indices, blocks) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: Near::ALL
-                .map(|near| Beach::ALL.map(|beach| [false, true].map(|rugged| pipelines(near, beach, rugged)))),
+            pipelines: Ground::all().map(pipelines).collect(),
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer(
@@ -183,13 +219,14 @@ impl Land {
         }
     }
 
-    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides. `near` and `has_beach`: what may show on a tile, and whether
-    /// it, or one of its descendants, may have beaches that waves run up.
+    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides. `near`, `has_town` and `has_beach`: what may show on a
+    /// tile, whether it has houses, and whether it, or one of its descendants, may have beaches that waves run up.
     pub fn set_tiles(
         &mut self,
         gpu: &Gpu,
         tiles: impl Iterator<Item = DrawnTile>,
         near: impl Fn(TileId) -> Near,
+        has_town: impl Fn(TileId) -> bool,
         has_beach: impl Fn(TileId) -> bool,
     ) {
         let whole = 0..self.blocks[self.blocks.len() - 1].end;
@@ -199,29 +236,35 @@ impl Land {
             let found = blocks_with(id, &has_beach);
             let beaches = if found.count_ones() as usize > room { 0 } else { found };
             room -= beaches.count_ones() as usize;
-            drawn.push((near(id), is_rugged, Instance::new(id, beaches)));
+            let ground = Ground { near: near(id), beach: Beach::Absent, rugged: is_rugged, town: has_town(id) };
+            drawn.push((ground, Instance::new(id, beaches)));
         }
         self.draws.clear();
         self.tiles = drawn.len() as u32;
         let mut instances = Vec::new();
-        let mut draw = |by: (Near, Beach, bool), indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
+        let mut draw = |by: Ground, indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
             let first = instances.len() as u32;
-            let here = drawn.iter().filter(|(near, rugged, tile)| (*near, *rugged) == (by.0, by.2) && of(tile.beaches));
-            instances.extend(here.map(|(.., tile)| *tile));
+            let own = Ground { beach: Beach::Absent, ..by };
+            let here = drawn.iter().filter(|(ground, tile)| *ground == own && of(tile.beaches));
+            instances.extend(here.map(|(_, tile)| *tile));
             let range = first..instances.len() as u32;
             if !range.is_empty() {
                 self.draws.push(Draw { by, indices: indices.clone(), instances: range });
             }
         };
         // Ground with relief, which is near, comes first, and beaches last: what has been drawn beside them hides the rest of their blocks.
-        let grounds = [true, false].into_iter().flat_map(|rugged| Near::ALL.map(|near| (near, rugged)));
-        for (near, rugged) in grounds.clone() {
-            draw((near, Beach::Beside, rugged), &whole, &|beaches| beaches != 0);
-            draw((near, Beach::Absent, rugged), &whole, &|beaches| beaches == 0);
+        let grounds = |beach: Beach| {
+            let mut grounds: Vec<_> = Ground::all().filter(|ground| ground.beach == beach).collect();
+            grounds.sort_by_key(|ground| !ground.rugged);
+            grounds
+        };
+        for by in grounds(Beach::Absent) {
+            draw(Ground { beach: Beach::Beside, ..by }, &whole, &|beaches| beaches != 0);
+            draw(by, &whole, &|beaches| beaches == 0);
         }
-        for (near, rugged) in grounds {
+        for by in grounds(Beach::Only) {
             for (block, indices) in self.blocks.iter().enumerate() {
-                draw((near, Beach::Only, rugged), indices, &|beaches| beaches >> block & 1 != 0);
+                draw(by, indices, &|beaches| beaches >> block & 1 != 0);
             }
         }
         let triangles = |draw: &Draw| draw.instances.len() as u32 * draw.indices.len() as u32 / 3;
@@ -241,10 +284,10 @@ impl Land {
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         let mut by = None;
         for draw in &self.draws {
-            let (near, beach, rugged) = draw.by;
-            let near = if near.is_of(kind.0) { near } else { Near::Growth };
-            let pipelines = &self.pipelines[near as usize][beach as usize];
-            if by != Some(draw.by) && !pipelines[usize::from(rugged)].set(pass, kind, groups) {
+            let ground = draw.by;
+            let near = if kind.0.shows_lakes() { ground.near } else { Near::Growth };
+            let ground = Ground { near, town: ground.town && kind.0.fine, ..ground };
+            if by != Some(draw.by) && !self.pipelines[ground.index()].set(pass, kind, groups) {
                 continue;
             }
             by = Some(draw.by);
@@ -256,6 +299,11 @@ impl Land {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_ground_has_its_pipelines() {
+        assert_eq!(Ground::all().map(Ground::index).collect::<Vec<_>>(), (0..36).collect::<Vec<_>>());
+    }
 
     #[test]
     fn blocks_are_the_grid_and_lie_where_descendants_of_their_tile_do() {

@@ -30,5 +30,6 @@ pub mod sky_view;
 pub mod spindrift;
 pub mod stars;
 pub mod tonemap;
+pub mod towns;
 pub mod waterline;
 pub mod world_tiles;

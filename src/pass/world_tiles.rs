@@ -16,15 +16,17 @@ const TABLE_BYTES: u64 = (PAGE_ENTRIES * size_of::<[u32; 2]>()) as u64;
 pub struct WorldTiles {
     atlases: [wgpu::Texture; Layer::COUNT],
     pages: wgpu::Buffer,
-    /// Of bind group 2 of what shows the land: its imagery.
+    /// Of bind group 2 of what shows the land: its imagery, and where towns are.
     pub imagery_layout: wgpu::BindGroupLayout,
     /// The group of [`WorldTiles::imagery_layout`].
     pub imagery: wgpu::BindGroup,
 }
 
 impl WorldTiles {
-    /// Empty atlases: open sea everywhere.
-    pub fn new(gpu: &Gpu) -> Self {
+    /// Empty atlases: open sea everywhere. `towns`: [`Towns::buffer`].
+    ///
+    /// [`Towns::buffer`]: super::towns::Towns::buffer
+    pub fn new(gpu: &Gpu, towns: &wgpu::Buffer) -> Self {
         let atlases = Layer::ALL.map(|layer| {
             let (label, format) = match layer {
                 Layer::Terrain => ("terrain tiles", wgpu::TextureFormat::R32Float),
@@ -36,10 +38,11 @@ impl WorldTiles {
         });
         let tables = (Projection::ALL.len() * PAGE_LEVELS) as u64;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
-        let binds = [Bind::Texels(wgpu::TextureViewDimension::D2Array)];
+        let binds = [Bind::Texels(wgpu::TextureViewDimension::D2Array), Bind::Storage];
         let imagery_layout = gpu.layout("imagery", wgpu::ShaderStages::VERTEX_FRAGMENT, &binds);
         let view = array_view(&atlases[Layer::Imagery as usize]);
-        let imagery = gpu.bind("imagery", &imagery_layout, &[wgpu::BindingResource::TextureView(&view)]);
+        let bindings = [wgpu::BindingResource::TextureView(&view), towns.as_entire_binding()];
+        let imagery = gpu.bind("imagery", &imagery_layout, &bindings);
         let pages = gpu.empty_buffer("pages", usage, tables * TABLE_BYTES);
         let tiles = Self { atlases, pages, imagery_layout, imagery };
         // Slot 0 is the void that is shown before the first tile: bare sea of no known depth.

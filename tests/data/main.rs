@@ -19,5 +19,6 @@ mod rivers;
 mod sample;
 mod serve;
 mod small_world;
+mod towns;
 mod url;
 mod url_any;

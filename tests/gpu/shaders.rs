@@ -11,11 +11,11 @@ use ocean_globe::model::{lace, optics, wave_domain};
 use ocean_globe::panel;
 use ocean_globe::pass::fft::{Precision, Wanted};
 use ocean_globe::pass::kind::Kind;
-use ocean_globe::pass::land::{Beach, Near};
+use ocean_globe::pass::land::{Beach, Ground, Near};
 use ocean_globe::pass::look::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bed_light, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft,
-    foam, globe, land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,
+    foam, globe, land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, towns, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
@@ -60,8 +60,12 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
-            let mut land =
-                |near, rugged, beach| all.push(("land.wgsl", land::source(kind, imagery, near, rugged, beach)));
+            let mut land = |near, rugged, beach| {
+                for town in [false, kind.fine && imagery] {
+                    let ground = Ground { near, beach, rugged, town };
+                    all.push(("land.wgsl", land::source(kind, imagery, ground)));
+                }
+            };
             [false, true].into_iter().for_each(|rugged| land(Near::Growth, rugged, Beach::Absent));
             if kind.shows_lakes() {
                 Beach::ALL.into_iter().for_each(|beach| land(Near::Lakes, true, beach));
@@ -249,7 +253,9 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let land = land::source(Kind::default(), true, Near::Lakes, true, Beach::Only);
+    let ground = Ground { near: Near::Lakes, beach: Beach::Only, rugged: true, town: false };
+    let land = land::source(Kind::default(), true, ground);
+    assert_eq!(constant(&land, "TOWN_SIDE"), towns::SIDE as f64);
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);

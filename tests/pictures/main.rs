@@ -33,6 +33,7 @@ mod surf_lines;
 mod swash;
 mod sweep;
 mod tone;
+mod towns;
 mod under_water;
 mod views;
 mod wall;

@@ -1,6 +1,6 @@
 //! Numbers that the CPU and the shaders must agree on, as WGSL constants: each stands once, in Rust, where it is explained.
 
-use super::uniform::{MIRRORS_LAND, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
+use super::uniform::{MIRRORS_LAND, SHOWS_LAND, SHOWS_LIGHTS, SHOWS_SEA, SHOWS_SKY};
 use crate::model::earth::WGS84;
 use crate::model::{clouds, lakes, reefs, relief, rugged, sea_bed, sheltered_sea, spray, towers};
 use crate::scene::sea::surface_sample::{HELD_BY_DEPTH, LEAST_JACOBIAN};
@@ -13,6 +13,7 @@ pub fn shared_constants() -> String {
         ("SHOWS_LAND", SHOWS_LAND),
         ("SHOWS_SEA", SHOWS_SEA),
         ("SHOWS_SKY", SHOWS_SKY),
+        ("SHOWS_LIGHTS", SHOWS_LIGHTS),
         ("MIRRORS_LAND", MIRRORS_LAND),
         ("MIRROR_NODES", super::clouds::MIRROR_NODES),
         ("SHELTER_LEVELS", shelter::LEVELS as u32),

@@ -20,6 +20,8 @@ pub const SHOWS_SEA: u32 = 2;
 pub const SHOWS_SKY: u32 = 4;
 /// Land is so near that water mirrors it, as only the world knows.
 pub const MIRRORS_LAND: u32 = 8;
+/// See [`SHOWS_LAND`]: towns' lamps.
+pub const SHOWS_LIGHTS: u32 = 16;
 
 /// What each pixel reports. The numbers are those of `shaders/lib/output.wgsl`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec4, Vec2, Vec4};
 use crate::model::sea_bed::smoothstep;
 use crate::model::sea_tables::SeaTables;
 use crate::model::{self, sea_state, spray, wave_domain};
-use crate::scene::frame::uniform::{FoamLevel, FrameUniform, SHOWS_LAND, SHOWS_SEA, SHOWS_SKY};
+use crate::scene::frame::uniform::{FoamLevel, FrameUniform, SHOWS_LAND, SHOWS_LIGHTS, SHOWS_SEA, SHOWS_SKY};
 use crate::scene::frame::{MIX_FAR_M, MIX_NEAR_M};
 use crate::scene::layers::Layer;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
@@ -54,7 +54,10 @@ pub fn set_sea(u: &mut FrameUniform, settings: &Settings, sea: &SeaTables) {
     u.spacings = Vec4::from(sea.cascades.map(|cascade| wave_domain::spacing_m(cascade.patch_m) as f32));
     u.perlin_spacing = wave_domain::spacing_m(sea.perlin.patch_m) as f32;
     let shows = |layer, bit: u32| if settings.layers.shows(layer) { bit } else { 0 };
-    u.layers = shows(Layer::Land, SHOWS_LAND) | shows(Layer::Sea, SHOWS_SEA) | shows(Layer::Sky, SHOWS_SKY);
+    u.layers = shows(Layer::Land, SHOWS_LAND)
+        | shows(Layer::Sea, SHOWS_SEA)
+        | shows(Layer::Sky, SHOWS_SKY)
+        | shows(Layer::Lights, SHOWS_LIGHTS);
     let slopes = sea.cascade_slopes.map(|slopes| DVec2::from(slopes).as_vec2());
     u.cascade_slopes = [0, 2].map(|i| Vec4::from((slopes[i], slopes[i + 1])));
     u.below_slopes = DVec2::from(sea.below_slopes).as_vec2();

@@ -1,0 +1,204 @@
+// Built-up ground: lots side by side in blocks between streets, each with a house as high as its town is dense, or a garden. Where towns are is known
+// to a few hundred metres (src/pass/towns.rs); where they end, their parks and every house are made up.
+#import domes
+#import noise
+
+// Each level's north-western texel, in units of the map; then how far its texels are in towns, rows from the north-west, four to a word.
+struct Towns { corners: array<vec2u, 2>, texels: array<u32> }
+@group(2) @binding(1) var<storage, read> towns: Towns;
+
+const TOWN_SHIFTS = vec2u(15u, 18u);    // log2 of the units of a texel: 305 m and 2.4 km at the equator
+const TOWN_SIDE = 512u;                 // texels; see src/pass/towns.rs
+const TOWN_FADES: f32 = 32.0;           // texels before a window's edge over which a coarser one takes over, or none
+const TOWN_EDGE = vec3f(0.16, 0.4, 0.3);  // where towns end, of what texels tell, and how far noises of 2.4 and .6 km move that
+const PARKS = vec2f(0.19, 0.23);        // of a noise of 1.2 km, above which a town has a park
+const BUILT_SLOPES = vec2f(0.32, 0.16); // ground so steep has no houses, or as many as other ground
+const TOWNS_SEEN = vec2f(500.0, 150.0);  // widths of pixels that show towns as imagery has them, and as they are drawn
+
+const LOT_LEVEL = 19u;                  // cells of 21 m at the equator, 15 m at 45°, of lattices turned
+const LOT_TURNS = array<vec2i, 4>(vec2i(3, 2), vec2i(3, -1), vec2i(2, 3), vec2i(4, 1));  // so in districts of about a kilometre
+const BLOCK = vec2u(7u, 3u);            // in bits: lots of a block and the street beside it, less one
+const LOTS_CROSSED = 9u;                // that a sight crosses at most
+const LOT_CROSSED_MOST = 5.0;           // how far, in lots, a sight goes while it sinks by the highest house's height, at most
+const HOUSES = vec2f(0.55, 0.97);       // share of the lots of villages and of cities' hearts that have one
+const APART = vec2f(0.17, 0.03);        // and how far these stand from their lots' edges, of a lot
+const HIGH = vec3f(0.45, 3.0, 8.0);     // height of the highest houses there and of the towers in the midst of great cities, in lots: 7, 45 and 120 m
+const DOWNTOWN = vec2f(0.75, 0.97);        // of what texels tell, where these begin and are highest
+const ASPHALT = vec3f(0.085, 0.085, 0.088);
+const TILES = vec3f(0.23, 0.115, 0.068);// red roofs,
+const TILES_WEST_EAST = vec4f(0.47, 0.48, 0.60, 0.63);   // of the map, where most are of these: from Portugal to the Black Sea,
+const TILES_LATITUDES = vec4f(0.53, 0.60, 0.78, 0.82);   // sines
+const WALLS = vec3f(0.25, 0.235, 0.21);
+const IN_SHADOW = 0.35;                    // of the light on lit ground, that of ground in the shadow
+const DUSK = vec2f(-0.02, -0.12);       // sines of the sun's elevation between which lamps are lit; as src/pass/city_lights.rs
+const STREET_LIGHT = 0.003;             // radiance of lit streets, and
+const LAMP_LIGHT = 0.045;               // of their lamps, of the sun's irradiance beyond the air, as dense as cities' hearts are; pictures of nights are exposed for moonless land
+const WINDOW_LIGHT = 0.012;             // and of lit windows
+const LAMPS = 0.11;                     // radius of what a lamp lights brightest, of a lot
+const TOWN_MEAN = 0.80;                 // of what roofs and streets reflect, that towns do for walls and shadows between them
+
+fn town_texel(level: u32, at: vec2u) -> f32 {
+    let index = (level * TOWN_SIDE + at.y) * TOWN_SIDE + at.x;
+    return f32((towns.texels[index >> 2u] >> (8u * (index & 3u))) & 255u) / 255.0;
+}
+
+// How far a place is in towns by a window, and how near to its edge, texels.
+fn town_window(level: u32, at: vec2u) -> vec2f {
+    let shift = select(TOWN_SHIFTS.x, TOWN_SHIFTS.y, level == 1u);
+    let from_corner = at - towns.corners[level] - (1u << (shift - 1u));
+    let cell = from_corner >> vec2u(shift);
+    let inside = all(cell < vec2u(TOWN_SIDE - 1u));
+    let a = min(cell, vec2u(TOWN_SIDE - 2u));
+    let f = vec2f(from_corner & vec2u((1u << shift) - 1u)) / f32(1u << shift);
+    let top = mix(town_texel(level, a), town_texel(level, a + vec2u(1u, 0u)), f.x);
+    let bottom = mix(town_texel(level, a + vec2u(0u, 1u)), town_texel(level, a + vec2u(1u)), f.x);
+    let edge = vec2f(min(a, TOWN_SIDE - 2u - a));
+    return select(vec2f(0.0), vec2f(mix(top, bottom, f.y), min(edge.x, edge.y)), inside);
+}
+
+// How much of the ground is built up, how much lies in a town, parks too, and how densely and how high it is built, each from 0 to 1.
+struct BuiltUp { share: f32, within: f32, dense: f32, tall: f32 }
+
+const NOT_BUILT_UP = BuiltUp(0.0, 0.0, 0.0, 0.0);
+
+fn built_up(at: vec2u, slope: f32, footprint: Metres) -> BuiltUp {
+    let fine = town_window(0u, at);
+    let coarse = town_window(1u, at);
+    let told = mix(coarse.x * saturate(coarse.y / TOWN_FADES), fine.x, saturate(fine.y / TOWN_FADES));
+    let wide = map_noise_rise(at, 14u, 95u).x;
+    let narrow = map_noise_rise(at, 16u, 96u).x;
+    let parks = smoothstep(PARKS.y, PARKS.x, map_noise_rise(at, 15u, 97u).x);
+    let inside = told - TOWN_EDGE.x + TOWN_EDGE.y * wide + TOWN_EDGE.z * narrow;
+    let within = smoothstep(0.0, 0.05, inside) * smoothstep(0.0, 0.08, told) * smoothstep(TOWNS_SEEN.x, TOWNS_SEEN.y, footprint);
+    let share = within * parks * smoothstep(BUILT_SLOPES.x, BUILT_SLOPES.y, slope);
+    return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow));
+}
+
+// How a district's lots are turned.
+fn lots_turn(at: vec2u) -> vec2i {
+    let side = vec2f(map_noise_rise(at, 15u, 93u).x, map_noise_rise(at, 15u, 94u).x) > vec2f(0.0);
+    return select(select(LOT_TURNS[0], LOT_TURNS[1], side.x), select(LOT_TURNS[2], LOT_TURNS[3], side.x), side.y);
+}
+
+// What stands on a lot: height in lots, none on streets and in gardens, and its random word.
+struct Lot { height: f32, street: bool, word: u32 }
+
+fn lot_of(at: vec2u, town: BuiltUp) -> Lot {
+    let cell = at & vec2u((1u << LOT_LEVEL) - 1u);
+    let word = hash(vec3u(cell, 98u));
+    let street = any((cell & BLOCK) == vec2u(0u));
+    let u = f32((word >> 8u) & 255u) / 255.0;
+    let stands = f32(word & 255u) < 255.0 * mix(HOUSES.x, HOUSES.y, town.dense);
+    let few = u * u * u * u;
+    let high = mix(HIGH.x * (0.5 + 0.5 * u), mix(HIGH.y, HIGH.z, town.tall) * (0.16 + 0.25 * u + 0.59 * few * u * u), town.dense * town.dense);
+    return Lot(select(0.0, high, stands && !street), street, word);
+}
+
+// Its roof's albedo; `tiled`: which share is red.
+fn roof_of(word: u32, tiled: f32) -> vec3f {
+    let u = f32((word >> 16u) & 255u) / 255.0;
+    let grey = (0.07 + 0.25 * u * u) * mix(vec3f(1.05, 1.0, 0.94), vec3f(0.97, 1.0, 1.04), f32((word >> 4u) & 15u) / 15.0);
+    return select(grey, TILES * (0.65 + 0.7 * u), f32(word >> 24u) < 255.0 * tiled);
+}
+
+// Of built-up ground: its albedo with its own light and shadows in it, of the light on level ground; how much of it is no garden; what it shines by night.
+struct Houses { albedo: vec3f, cover: f32, shines: vec3f }
+
+// How far lamps are lit where it is day or night.
+fn lamps_lit(up: vec3f) -> f32 {
+    return select(0.0, frame.night * smoothstep(DUSK.x, DUSK.y, dot(frame.sun, up)), (frame.layers & SHOWS_LIGHTS) != 0u);
+}
+
+fn tiled_at(at: vec2u, sin_lat: f32) -> f32 {
+    let x = f32(at.x >> 8u) / 16777216.0;
+    let w = TILES_WEST_EAST;
+    let l = TILES_LATITUDES;
+    let here = smoothstep(w.x, w.y, x) * smoothstep(w.w, w.z, x) * smoothstep(l.x, l.y, sin_lat) * smoothstep(l.w, l.z, sin_lat);
+    return mix(0.12, 0.75, here);
+}
+
+// `sight` and `sun`: how far these move right and down on the map while they sink by one; `across`: of a pixel that faces the eye.
+fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, across: Metres) -> Houses {
+    let t = lots_turn(p.at);
+    let turn = vec2f(t);
+    let dense = town.dense;
+    let top = mix(HIGH.x, mix(HIGH.y, HIGH.z, town.tall), dense * dense);
+    let sinks = by_turn(turn, sight_on_map) / length(turn);
+    let sight = sinks * min(1.0, LOT_CROSSED_MOST / (top * max(length(sinks), 1e-3)));
+    let sun = by_turn(turn, sun_on_map) / length(turn);
+    let shift = 32u - LOT_LEVEL;
+    let turned = bitcast<vec2u>(t);
+    let at = vec2u(turned.x * p.at.x - turned.y * p.at.y, turned.y * p.at.x + turned.x * p.at.y);
+    let own = at >> vec2u(shift);
+    let f = (vec2f(at & vec2u((1u << shift) - 1u)) + by_turn(turn, p.part)) / f32(1u << shift);
+    let tiled = tiled_at(p.at, sin_lat);
+    let sees = across * exp2(f32(LOT_LEVEL)) * length(turn) / (EARTH_TURN * max(frame.cos_lat, 0.1));
+    let apart = mix(APART.x, APART.y, dense);
+    // From the lot where the sight comes in at the height of the highest to that of the place.
+    let first = f - sight * top;
+    let ways = sign(sight);
+    let each = 1.0 / max(abs(sight), vec2f(1e-4));
+    var cell = floor(first);
+    var next = select((first - cell) * each, (cell + 1.0 - first) * each, sight > vec2f(0.0));
+    next = select(next, vec2f(1e9), abs(sight) < vec2f(1e-4));
+    var lot = lot_of(own, town);
+    var met = 0.0;
+    var wall = vec2f(0.0);
+    var i = 0u;
+    loop {
+        let other = lot_of(own + bitcast<vec2u>(vec2i(cell)), town);
+        // The sight is at f - sight h where it is h high: over the house from the lower to the higher of these.
+        let safe = select(sight, vec2f(1e-4), abs(sight) < vec2f(1e-4));
+        let one = (f - cell - apart) / safe;
+        let two = (f - cell - 1.0 + apart) / safe;
+        let leaves = max(max(min(one.x, two.x), min(one.y, two.y)), 0.0);
+        let comes = min(max(one.x, two.x), max(one.y, two.y));
+        let is_met = (comes > leaves) & (other.height > leaves) & (other.height > 0.0);
+        if is_met {
+            lot = other;
+            met = min(other.height, comes);
+            let by_x = max(one.x, two.x) < max(one.y, two.y);
+            wall = select(vec2f(0.0), select(vec2f(0.0, -ways.y), vec2f(-ways.x, 0.0), by_x), comes < other.height);
+        }
+        let is_last = min(next.x, next.y) >= top;
+        let goes_aside = next.x < next.y;
+        cell += select(vec2f(0.0, ways.y), vec2f(ways.x, 0.0), goes_aside);
+        next += select(vec2f(0.0, each.y), vec2f(each.x, 0.0), goes_aside);
+        i++;
+        if is_met || is_last || i >= LOTS_CROSSED { break; }
+    }
+    let is_house = met > 0.0;
+    let here = f - sight * met;
+    // A house before the sun.
+    var lit = 1.0;
+    for (var k = 1u; k <= 3u; k++) {
+        let over = f32(k * k) * 0.09 * top;
+        let place = here - sun * over;
+        let inside = abs(fract(place) - 0.5) < vec2f(0.5 - apart);
+        let shades = (lot_of(own + bitcast<vec2u>(vec2i(floor(place))), town).height > met + over) & all(inside);
+        lit = select(lit, 0.0, shades);
+    }
+    let on_wall = any(wall != vec2f(0.0));
+    let faces = clamp(-dot(sun, wall), 0.0, 1.5);
+    let roof = roof_of(lot.word, tiled);
+    var albedo = select(select(ASPHALT, roof, is_house), mix(WALLS, roof, 0.3), on_wall);
+    albedo *= mix(IN_SHADOW, 1.0, lit * select(1.0, faces, on_wall));
+    // A garden, where neither house nor street is.
+    let paved = select(select(0.75 * dense, 1.0, lot.street), 1.0, is_house);
+    // Of lots that do not show their mean is left, and of blocks that of blocks.
+    let block = hash(vec3u((own & vec2u((1u << LOT_LEVEL) - 1u)) >> vec2u(3u, 2u), 99u));
+    let toned = 1.0 + (1.0 - smoothstep(0.3, 1.0, sees / 5.0)) * 0.35 * (f32(block >> 24u) / 127.5 - 1.0);
+    let covers = 0.66 * mix(HOUSES.x, HOUSES.y, dense);
+    let mean_cover = covers + 0.34 + (0.66 - covers) * 0.75 * dense;
+    let mean_roof = mix(vec3f(0.153), 1.0 * TILES, tiled);
+    let mean_albedo = TOWN_MEAN * (covers * mean_roof + (mean_cover - covers) * ASPHALT) / mean_cover;
+    let whole = 1.0 - smoothstep(0.45, 1.1, sees);
+    // A lamp in the middle of every second lot of a street, yellow or white; behind some windows of walls there is light.
+    let warmth = mix(vec3f(1.0, 0.62, 0.27), vec3f(1.0, 0.86, 0.66), f32(block & 255u) / 255.0);
+    let lamp = LAMP_LIGHT * (1.0 - smoothstep(LAMPS, LAMPS + max(sees, 0.1), length(fract(here) - 0.5))) * min(LAMPS / max(sees, 0.1), 1.0);
+    let on_street = select(0.0, STREET_LIGHT + select(0.0, lamp, (lot.word & 1u) == 0u), lot.street && !is_house);
+    let window = hash(vec3u(lot.word, vec2u(vec2f(met, f32(i)) * 6.0)));
+    let shining = select(on_street * warmth, vec3f(1.0, 0.8, 0.55) * select(0.0, WINDOW_LIGHT, (window & 3u) == 0u), on_wall);
+    let mean_shining = (0.34 * (STREET_LIGHT + 0.5 * LAMP_LIGHT * PI * LAMPS * LAMPS) + 0.02 * WINDOW_LIGHT) * warmth;
+    return Houses(toned * mix(mean_albedo, albedo, whole), mix(mean_cover, paved, whole), toned * toned * toned * mix(0.25, 1.0, dense) * mix(mean_shining, shining, whole));
+}
