@@ -339,7 +339,14 @@ impl Renderer {
                 self.land.draw(&mut pass, ground_kind, ground_groups);
             }
             if layers & SHOWS_SKY != 0 {
+                // Shaders leave out what lies lower, but only once a pixel has been shaded.
+                let covered = SHOWS_LAND | SHOWS_SEA;
+                if layers & covered == covered && frame.has_light() {
+                    let [x, y, width, height] = frame.sky_area;
+                    pass.set_scissor_rect(x, y, width, height);
+                }
                 self.sky.draw(&mut pass, kind, frame_group, surface);
+                pass.set_scissor_rect(0, 0, frame.size[0], frame.size[1]);
             }
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);

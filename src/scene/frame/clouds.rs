@@ -3,14 +3,13 @@
 use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
-use crate::model::earth::WGS84;
 use crate::model::overcast;
 use crate::scene::frame::exposure::into_sun;
 use crate::scene::frame::rim;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
 use crate::scene::settings::{Quality, Settings};
-use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
+use crate::scene::view::camera::Camera;
 
 /// The clouds of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,23 +106,7 @@ fn overcast_exposure(share: f64) -> f64 {
 /// horizon.
 fn area(camera: &Camera, size: [u32; 2]) -> [u32; 4] {
     if camera.altitude_m < clouds::BASE_M {
-        return above_horizon(camera, size);
+        return rim::above(camera, size, 0.0);
     }
     rim::around(camera, size, clouds::ICE_M)
-}
-
-/// The rows whose pixels see anything above the horizon. A row is highest in its middle where it looks up, at its ends where it looks down.
-fn above_horizon(camera: &Camera, size: [u32; 2]) -> [u32; 4] {
-    let [width, height] = size.map(f64::from);
-    let axes = camera.basis_enu();
-    let half = libm::tan(FIELD_OF_VIEW_Y / 2.0);
-    let dip = libm::acos((WGS84.b / (WGS84.b + camera.altitude_m.max(0.0))).min(1.0));
-    let sees_sky = |row: &u32| {
-        let middle = axes.forward + axes.up * half * (1.0 - 2.0 * (f64::from(*row) + 0.5) / height);
-        let end = middle + axes.right * half * width / height;
-        (middle.normalize().z).max(end.normalize().z) > -libm::sin(dip) - rim::MARGIN
-    };
-    let first = (0..size[1]).find(sees_sky).unwrap_or(size[1]);
-    let last = (first..size[1]).rev().find(sees_sky).map_or(first, |row| row + 1);
-    [0, first, size[0], last - first]
 }

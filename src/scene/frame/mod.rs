@@ -65,7 +65,7 @@ pub struct Frame {
     pub shows_city_lights: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
-    /// The pixels that show any of the sky but stars to an eye in space: left, top, width, height.
+    /// The pixels that show any of the sky but stars to an eye in space, or of the sky beside land and sea to one that is nearer: left, top, width, height.
     pub sky_area: [u32; 4],
     /// How much the picture may cost.
     pub quality: Quality,
@@ -184,7 +184,7 @@ impl Frame {
         (uniform.lace_texel, uniform.lace_fraction) = foam_eye.lace(settings.wind_from());
         let lake = lake(&uniform, seas, &sea, settings, camera);
         let bisection = (settings.mesh == Mesh::Bisect).then(|| Bisection::new(camera, &settings.triangles));
-        Self {
+        let mut frame = Self {
             camera: *camera,
             size,
             unix_seconds,
@@ -205,7 +205,11 @@ impl Frame {
             uniform,
             lake,
             wave_cells,
+        };
+        if !frame.is_globe() {
+            frame.sky_area = rim::beside_limb(&frame.uniform, camera, size);
         }
+        frame
     }
 
     /// Whether the picture has its small and faint effects, too: all but the quality made for slow machines.

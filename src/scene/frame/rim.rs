@@ -1,4 +1,4 @@
-//! Parts of a picture: the box of what stands over the earth up to a height.
+//! Parts of a picture: the box of what stands over the earth up to a height, and the rows above a horizon.
 
 use std::f64::consts::TAU;
 
@@ -15,6 +15,8 @@ pub const MARGIN: f64 = 0.012;
 const RIM: u32 = 256;
 /// How high the air is, metres: `TOP` of the shaders.
 pub const AIR_M: f64 = 100_000.0;
+/// How far below the ellipsoid what covers it may lie, metres: that of `is_inside_limb`.
+const INSIDE_M: f64 = 500.0;
 /// How far from its middle the disc of sun or moon may show, radians, with a margin.
 const DISC: f64 = 0.01;
 
@@ -22,6 +24,29 @@ const DISC: f64 = 0.01;
 pub fn around(camera: &Camera, size: [u32; 2], height_m: f64) -> [u32; 4] {
     let dip = libm::acos(((WGS84.b + height_m) / (WGS84.b + camera.altitude_m)).min(1.0));
     if dip < 2.0 * MARGIN { [0, 0, size[0], size[1]] } else { within(camera, size, dip - MARGIN) }
+}
+
+/// The rows whose pixels see anything above the horizon of an earth so much lower, metres: left, top, width and height. A row is highest in its middle where it looks
+/// up, at its ends where it looks down.
+pub fn above(camera: &Camera, size: [u32; 2], lower_m: f64) -> [u32; 4] {
+    let [width, height] = size.map(f64::from);
+    let axes = camera.basis_enu();
+    let half = libm::tan(FIELD_OF_VIEW_Y / 2.0);
+    let dip = libm::acos(((WGS84.b - lower_m) / (WGS84.b + camera.altitude_m.max(0.0))).min(1.0));
+    let sees_sky = |row: &u32| {
+        let middle = axes.forward + axes.up * half * (1.0 - 2.0 * (f64::from(*row) + 0.5) / height);
+        let end = middle + axes.right * half * width / height;
+        (middle.normalize().z).max(end.normalize().z) > -libm::sin(dip) - MARGIN
+    };
+    let first = (0..size[1]).find(sees_sky).unwrap_or(size[1]);
+    let last = (first..size[1]).rev().find(sees_sky).map_or(first, |row| row + 1);
+    [0, first, size[0], last - first]
+}
+
+/// As [`above`], of all that land and sea may leave of the sky: `is_inside_limb` of the shaders' ellipsoid says of the others that they do not.
+pub fn beside_limb(u: &FrameUniform, camera: &Camera, size: [u32; 2]) -> [u32; 4] {
+    let limb_m = WGS84.horizon_distance(camera.altitude_m.max(0.0));
+    above(camera, size, INSIDE_M + limb_m * f64::from(u.pixel_angle))
 }
 
 /// As [`around`], of the pixels that may show any of the sky but its stars to an eye in space: beside the air it is black, but for the discs of sun and
