@@ -7,6 +7,9 @@
 #import lace_net
 #import normal
 
+// Whether storms have drawn foam out along the wind.
+#usually STORM = true;
+
 // Where foam begins it is thin: with this opacity whitecaps reflect 0.22 where they cover little (P. Koepke 1984), thick ones FOAM_ALBEDO.
 const THIN_FOAM: f32 = 0.4;
 // of which so much comes about at the water's edge, and the rest by and by:
@@ -140,7 +143,10 @@ fn both(a: Net, b: Net, share: f32) -> Net {
 }
 
 // How far storms have drawn foam out along the wind, 0…1.
-fn storm() -> f32 { return smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps); }
+fn storm() -> f32 {
+    if !STORM { return 0.0; }
+    return smoothstep(STREAKED_IN.x, STREAKED_IN.y, frame.whitecaps);
+}
 
 // Share of the water that storms have filled with bubbles where no foam is, by what depth and lee leave of the waves' height.
 fn stirred(height: f32) -> f32 { return STIRRED * storm() * height * frame.film.x; }

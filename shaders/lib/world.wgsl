@@ -2,6 +2,9 @@
 #import map_texels
 #import reefs
 
+// Whether places may be seen that have coral reefs.
+#usually REEFS = true;
+
 // The chords of the ground's triangles bring it nearer by up to 0.4 % of the distance and 2 m: what is nearer than this stands in front of
 // a sea whose surface is at a distance, and what is not is its bed.
 fn nearest_bed(surface: Metres) -> Metres { return 0.996 * surface - 2.0; }
@@ -52,7 +55,7 @@ const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which cora
 // What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.
 fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
     var reefs = 0.0;
-    if (abs(sin_lat) < REEFS_WARM.y) & has_reefs() {
+    if REEFS & (abs(sin_lat) < REEFS_WARM.y) & has_reefs() {
         let wide = pages_at(point, RUGGED_ISLAND_LEVEL).terrain;
         reefs = reef_share(point, sin_lat, bilinear(false, point, wide).x, texel_metres(point, f32(wide.level), sin_lat));
     }
@@ -88,7 +91,7 @@ fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres,
     let plain = shaped_elevation(elevation, coast, shores.x);
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     // Waves that run up a lagoon's beach are the lagoon's.
-    let none = (reefs <= 0.0) | (shores.x < -REEFS_ASHORE) | (shores.x > trusted);
+    let none = !REEFS | (reefs <= 0.0) | (shores.x < -REEFS_ASHORE) | (shores.x > trusted);
     var built = plain;
     var corals = vec2f(0.0);
     var waves = 1.0;

@@ -1,6 +1,7 @@
-//! WGSL with two directives of its own, each at the start of a line. `#import name` inserts a library of `shaders/lib` once, before
+//! WGSL with three directives of its own, each at the start of a line. `#import name` inserts a library of `shaders/lib` once, before
 //! its first user. `#unroll 8 statement` repeats the statement with 0…7 for every `$`: an array that stays in registers must be
-//! indexed by constants, and not every driver unrolls a loop to get there.
+//! indexed by constants, and not every driver unrolls a loop to get there. `#usually NAME = value;` declares a constant that whoever composes
+//! the shader has not declared.
 
 use std::collections::HashSet;
 
@@ -53,6 +54,13 @@ fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
             }
             continue;
         }
+        if let Some(usual) = line.strip_prefix("#usually ") {
+            let name = usual.split_once(' ').map_or(usual, |(name, _)| name);
+            if !text.contains(&format!("const {name}: ")) {
+                text.push_str(&format!("const {usual}\n"));
+            }
+            continue;
+        }
         let Some(name) = line.strip_prefix("#import ") else {
             text.push_str(line);
             text.push('\n');
@@ -78,6 +86,12 @@ mod tests {
         assert_eq!(text.matches("struct Frame {").count(), 1);
         assert!(text.starts_with("const N = 4u;"));
         assert!(text.find("struct Frame").unwrap() < text.find("fn own").unwrap());
+    }
+
+    #[test]
+    fn usual_constants_give_way_to_those_of_the_composer() {
+        assert_eq!(super::composed("#usually N = 4u;", ""), "\nconst N = 4u;\n");
+        assert_eq!(super::composed("#usually N = 4u;", "const N: u32 = 5u;"), "const N: u32 = 5u;\n");
     }
 
     #[test]

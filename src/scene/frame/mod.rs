@@ -8,7 +8,7 @@ use glam::DMat3;
 use crate::data::exposure::Water;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::MAX_CELLS;
-use crate::model::{earth, lakes, moon, waves};
+use crate::model::{earth, lakes, moon, reefs, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
@@ -33,6 +33,9 @@ mod rim;
 pub mod uniform;
 mod water;
 mod wave_cells;
+
+/// Share of the surface under whitecaps up to which no storm draws foam out: that of `STREAKED_IN` in `shaders/lib/lace.wgsl`.
+const STREAKED_FROM: f32 = 0.05;
 
 /// Everything that one call of `Renderer::render` draws.
 #[derive(Clone, Debug)]
@@ -306,6 +309,18 @@ impl Frame {
     /// Whether spray is seen.
     pub fn has_spray(&self) -> bool {
         self.uniform.spray > 0.0
+    }
+
+    /// Whether places may be seen that are so near to the equator that coral reefs may be made up there.
+    pub fn has_reefs(&self) -> bool {
+        let over = |height_m: f64| libm::acos(earth::WGS84.b / (earth::WGS84.b + height_m.max(0.0)));
+        let seen = over(self.camera.altitude_m) + over(RELIEF_M) + rim::MARGIN;
+        libm::sin((self.camera.lat.abs() - seen).max(0.0)) < reefs::WARM[1]
+    }
+
+    /// Whether storms have drawn foam out along the wind.
+    pub fn has_streaks(&self) -> bool {
+        self.uniform.whitecaps > STREAKED_FROM
     }
 
     /// Whether spindrift is seen, which stands over the foam map's breaking crests.
