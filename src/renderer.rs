@@ -341,12 +341,14 @@ impl Renderer {
             if layers & SHOWS_SKY != 0 {
                 // Shaders leave out what lies lower, but only once a pixel has been shaded.
                 let covered = SHOWS_LAND | SHOWS_SEA;
-                if layers & covered == covered && frame.has_light() {
-                    let [x, y, width, height] = frame.sky_area;
-                    pass.set_scissor_rect(x, y, width, height);
+                let [width, height] = frame.size;
+                let may_cover = layers & covered == covered && frame.has_light();
+                let area = if may_cover { frame.sky_area } else { [0, 0, width, height] };
+                if area[3] > 0 {
+                    pass.set_scissor_rect(area[0], area[1], area[2], area[3]);
+                    self.sky.draw(&mut pass, kind, frame_group, surface);
+                    pass.set_scissor_rect(0, 0, width, height);
                 }
-                self.sky.draw(&mut pass, kind, frame_group, surface);
-                pass.set_scissor_rect(0, 0, frame.size[0], frame.size[1]);
             }
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
