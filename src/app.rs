@@ -132,10 +132,13 @@ impl App {
         let eye_seconds = if self.steady { seconds } else { 1.0 / 60.0 };
         let ground_m = self.ground_m();
         let hands = input::Hands { ui, response, size, ground_m };
+        // An eye at rest is lifted where it is drawn alone: by coarse tiles, before finer ones come, it might be lifted for good.
+        if hands.takes_over() || self.navigator.is_grabbed() || self.flight.is_some() {
+            self.state.camera = above_ground(&self.state.camera, ground_m);
+        }
         if hands.takes_over() {
             self.flight = None;
         }
-        let before = self.state.camera;
         let mut moving = false;
         if let Some((flight, elapsed_s)) = &mut self.flight {
             *elapsed_s += eye_seconds;
@@ -147,10 +150,6 @@ impl App {
         }
         let keys = hands.apply(&mut self.navigator, &mut self.state.camera, &mut self.last_drag_s);
         moving |= self.navigator.step(&mut self.state.camera, keys, size, ground_m, eye_seconds);
-        // An eye at rest is lifted where it is drawn alone: by coarse tiles, before finer ones come, it might be lifted for good.
-        if self.state.camera != before {
-            self.state.camera = above_ground(&self.state.camera, ground_m);
-        }
         let unix_seconds = clock::advance(&mut self.state, seconds, clock::unix_now_s());
         (unix_seconds, moving)
     }

@@ -6,7 +6,9 @@ use glam::{DQuat, DVec2, DVec3};
 
 use crate::model::earth::WGS84;
 use crate::scene::view::camera::{Camera, LOWEST_M};
-use crate::scene::view::navigate::{arc, bring, drag_beside, ground_ellipsoid, reach_m, slide, turn, turned, zoom};
+use crate::scene::view::navigate::{
+    above_ground, arc, bring, drag_beside, ground_ellipsoid, reach_m, slide, turn, turned, zoom,
+};
 
 /// Time in seconds after which a released globe has slowed to 1/e.
 const SWING_S: f64 = 0.35;
@@ -100,13 +102,17 @@ impl Navigator {
         *self = Self::default();
     }
 
-    /// Moves the eye on by some seconds, over a ground `ground_m` high; `true` while there is more to come.
+    /// Moves the eye on by some seconds; `true` while there is more to come. An eye that moves stays above a ground `ground_m` high; one at rest is
+    /// left where it is.
     pub fn step(&mut self, camera: &mut Camera, keys: Keys, size: DVec2, ground_m: f64, seconds: f64) -> bool {
         let seconds = seconds.clamp(0.0, 1.0);
         let before = *camera;
         self.swing(camera, seconds);
         self.wheel(camera, size, ground_m, seconds);
         self.press(camera, keys, size, ground_m, seconds);
+        if before != *camera {
+            *camera = above_ground(camera, ground_m);
+        }
         before != *camera || self.zoom_left != 0.0 || self.spin != DVec3::ZERO || self.keys != Keys::default()
     }
 
