@@ -32,12 +32,14 @@ places.forEach((place, i) => {
   const key = cell(place.latitude, place.longitude);
   near.set(key, [...near.get(key) ?? [], i]);
 });
+// Degrees east of one from another, the shorter way round.
+const east = (from, to) => ((to - from + 540) % 360 + 360) % 360 - 180;
 const within = function* (place, metres) {
   const cosine = Math.cos(place.latitude * Math.PI / 180), reach = metres / 111195;
   for (let y = Math.floor(2 * (place.latitude - reach)); y <= Math.floor(2 * (place.latitude + reach)); y++) {
     for (let x = Math.floor(2 * (place.longitude - reach / cosine)); x <= Math.floor(2 * (place.longitude + reach / cosine)); x++) {
-      for (const i of near.get(`${y},${x}`) ?? []) {
-        const way = 111195 * Math.hypot(places[i].latitude - place.latitude, cosine * (places[i].longitude - place.longitude));
+      for (const i of near.get(`${y},${(x + 1080) % 720 - 360}`) ?? []) {
+        const way = 111195 * Math.hypot(places[i].latitude - place.latitude, cosine * east(place.longitude, places[i].longitude));
         if (way < metres) yield [i, way];
       }
     }

@@ -1,6 +1,6 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
-// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `LAKES`, whether lakes may be so near
-// that their waves show, `SWASH`, whether waves may run up it, `BESIDE`, whether that is drawn by itself, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
+// `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `INLAND`, whether there may be lakes or rivers,
+// `LAKES`, whether lakes may be so near that their waves show, `SWASH`, whether waves may run up it, `BESIDE`, whether that is drawn by itself, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
 // Long, but one thing: a place of the mesh, and the ground that a pixel of it shows, from what it is to its light through water and air.
 #import ground
 #import lace
@@ -257,8 +257,9 @@ fn fragment(in: Vertex) -> @location(0) vec4f {
     let lies = select(facet * sign(rises) / max(length(facet), 1e-20), up, by_ray || rises == 0.0);
     let lit = lit_ground(at, direction, up, lies, footprint, width, made, light, in.shore.y);
     var radiance = lit.radiance;
-    let inland = inland_share(ground, footprint);
-    if inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }
+    var inland = 0.0;
+    if INLAND { inland = inland_share(ground, footprint); }
+    if INLAND && inland > 0.0 { radiance = mix(radiance, water_radiance(inland_surface(at, direction, up, footprint), light, clear), inland); }
     if SWASH { radiance = on_beach(radiance, at, direction, up, footprint, width, in.shore.x, lit.sandy, light, clear); }
     if !sea_covers {
         radiance = through_air(radiance, light, up, direction, distance);

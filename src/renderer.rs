@@ -18,7 +18,7 @@ use crate::pass::cloud_map::CloudMap;
 use crate::pass::clouds::{Clouds, Look as CloudLook};
 use crate::pass::frame_group::FrameGroup;
 use crate::pass::globe::Globe;
-use crate::pass::land::{GROWTH_M, Land, Near};
+use crate::pass::land::{Beach, GROWTH_M, Ground, Land, Near};
 use crate::pass::look::Look;
 use crate::pass::ocean::{Ocean, Shading};
 use crate::pass::rough_table;
@@ -53,6 +53,8 @@ use surface::Surface;
 use targets::{DEPTH_FORMAT, Passes, SAMPLES, Targets};
 pub use targets::{Radiance, TARGET_FORMAT};
 
+/// Tiles of coarser levels are drawn as if each had inland waters: those that their pixels show may lie in other tiles.
+const OWN_INLAND_LEVEL: u8 = 7;
 /// Steps of a foam replay that a frame may take, of a moving picture and of a still one: the rest follows in the next frames.
 const REPLAY_STEPS: [usize; 2] = [2, 13];
 /// Updates of the bisected mesh in a frame, of a moving picture and of a still one.
@@ -223,6 +225,7 @@ impl Renderer {
         let look = Look::of(frame, kind, side.shows_surf);
         let shows_spindrift =
             self.spindrift.is_some() && self.visible.is_some() && frame.has_spindrift() && !kind.under_water;
+        let ground_kind = (kind, self.world.has(Layer::Imagery, Projection::Mercator));
         if let Some(tiles) = &self.visible {
             self.ocean.set_grid(&self.gpu, frame.size, frame.uniform.cell_pixels as u32);
             let mesh = self.mesh.drawn().map_or(settings::Mesh::Grid, |_| settings::Mesh::Bisect);
@@ -247,11 +250,19 @@ impl Renderer {
             } else {
                 Near::Nothing
             };
-            // Waves of lakes cost as much as all else where none is, too.
-            let near_of = |id| if near == Near::Lakes && !self.streaming.has_inland(id) { Near::Growth } else { near };
             self.towns.prepare(&self.gpu, frame);
-            let has_town = |id| frame.is_fine() && self.towns.are_on(id);
-            self.land.set_tiles(&self.gpu, tiles.iter().rev().copied(), near_of, has_town, beach);
+            // A graphics card skips what a pixel does not have: fewer pipelines are compiled for it.
+            let software = self.gpu.software;
+            let reefs = !software || frame.has_reefs();
+            let ground = |DrawnTile { id, is_rugged: rugged }| {
+                // Wide pixels show what is where their own ray meets the earth, which may lie in another tile.
+                let has_inland = self.streaming.has_inland(id);
+                let inland = !software || has_inland || id.z < OWN_INLAND_LEVEL;
+                let near = if near == Near::Lakes && !has_inland { Near::Growth } else { near };
+                let town = self.towns.are_on(id);
+                Ground { near, beach: Beach::Absent, rugged, town, inland, reefs }
+            };
+            self.land.set_tiles(&self.gpu, ground_kind, tiles.iter().rev().copied(), ground, beach);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);
@@ -278,7 +289,7 @@ impl Renderer {
         let stars = self.stars.as_mut().filter(|_| is_seen && frame.shows_stars);
         let stars = stars.map(|stars| stars.prepare(&self.gpu, frame));
         let city_lights = self.city_lights.as_mut().filter(|_| is_seen && frame.shows_city_lights);
-        let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame));
+        let city_lights = city_lights.map(|lights| lights.prepare(&self.gpu, frame, ground_kind.1));
         let points: Vec<_> = stars.into_iter().flatten().chain(city_lights).collect();
         let mut stages = std::mem::take(&mut self.stages);
         stages.begin(encoder);
@@ -312,7 +323,6 @@ impl Renderer {
             stages.end(encoder, "clouds");
         }
         let clouds = self.clouds.as_ref().zip(frame.clouds).filter(|_| is_seen);
-        let ground_kind = (kind, self.world.has(Layer::Imagery, Projection::Mercator));
         let ground_groups = [frame_group, surface, &self.tiles.imagery];
         let layers = frame.uniform.layers;
         let clear = self.clear.unwrap_or_else(|| clear_colour(frame));

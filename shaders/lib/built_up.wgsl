@@ -28,14 +28,25 @@ const ASPHALT = vec3f(0.085, 0.085, 0.088);
 const TILES = vec3f(0.23, 0.115, 0.068);// red roofs,
 const TILES_WEST_EAST = vec4f(0.47, 0.48, 0.60, 0.63);   // of the map, where most are of these: from Portugal to the Black Sea,
 const TILES_LATITUDES = vec4f(0.53, 0.60, 0.78, 0.82);   // sines
+const STREETS = 0.34375;                // of the ground: 1 - 7/8 x 3/4, see BLOCK
+const PAVED_YARDS = 0.75;               // of the lots without a house, in cities' hearts
 const WALLS = vec3f(0.25, 0.235, 0.21);
-const IN_SHADOW = 0.35;                    // of the light on lit ground, that of ground in the shadow
+const LOTS_HIDDEN = vec2f(0.45, 1.1);   // widths of pixels, of a lot, between which no house shows any more
+const WINDOWS = vec2f(5.0, 4.0);        // floors and windows of a wall to a lot,
+const GLASS = vec2f(0.42, 0.5);         // how much of each they take, and what they reflect of what the wall does
+const WINDOWS_SEEN = vec2f(0.16, 0.06); // widths of pixels that show none and all of them, of a lot
+const BOUNCES = 0.16;                   // of the sun's light, what houses throw into each other's shadow
+const WALL_SKY = 0.8;                   // of the sky's light, that of walls,
+const STREET_SKY = 0.85;                // and of streets and yards between houses
 const DUSK = vec2f(-0.02, -0.12);       // sines of the sun's elevation between which lamps are lit; as src/pass/city_lights.rs
 const STREET_LIGHT = 0.003;             // radiance of lit streets, and
 const LAMP_LIGHT = 0.045;               // of their lamps, of the sun's irradiance beyond the air, as dense as cities' hearts are; pictures of nights are exposed for moonless land
 const WINDOW_LIGHT = 0.012;             // and of lit windows
+const LIT_TOWNS = vec2f(0.6, 1.5);             // how much of that towns have, and the midst of great cities
 const LAMPS = 0.11;                     // radius of what a lamp lights brightest, of a lot
-const TOWN_MEAN = 0.80;                 // of what roofs and streets reflect, that towns do for walls and shadows between them
+const MEAN_WALLS = 0.13;                // of what is seen of towns, a mean
+const MEAN_SUN = 0.66;                  // of the sun's light on level ground, what houses, walls and streets have of it where they do not show
+const MEAN_SKY = 0.88;                  // and of the sky's
 
 fn town_texel(level: u32, at: vec2u) -> f32 {
     let index = (level * TOWN_SIDE + at.y) * TOWN_SIDE + at.x;
@@ -101,8 +112,8 @@ fn roof_of(word: u32, tiled: f32) -> vec3f {
     return select(grey, TILES * (0.65 + 0.7 * u), f32(word >> 24u) < 255.0 * tiled);
 }
 
-// Of built-up ground: its albedo with its own light and shadows in it, of the light on level ground; how much of it is no garden; what it shines by night.
-struct Houses { albedo: vec3f, cover: f32, shines: vec3f }
+// Of built-up ground: its albedo; how much of it is no garden; how much of the sun's and the sky's light on level ground it has; what it shines by night.
+struct Houses { albedo: vec3f, cover: f32, sun: f32, sky: f32, shines: vec3f }
 
 // How far lamps are lit where it is day or night.
 fn lamps_lit(up: vec3f) -> f32 {
@@ -117,8 +128,8 @@ fn tiled_at(at: vec2u, sin_lat: f32) -> f32 {
     return mix(0.12, 0.75, here);
 }
 
-// `sight` and `sun`: how far these move right and down on the map while they sink by one; `across`: of a pixel that faces the eye.
-fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, across: Metres) -> Houses {
+// `sight` and `sun`: how far these move right and down on the map while they sink by one; `across`: of a pixel that faces the eye; `nothing`: whether none is there.
+fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, across: Metres, nothing: bool) -> Houses {
     let t = lots_turn(p.at);
     let turn = vec2f(t);
     let dense = town.dense;
@@ -165,7 +176,7 @@ fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on
         cell += select(vec2f(0.0, ways.y), vec2f(ways.x, 0.0), goes_aside);
         next += select(vec2f(0.0, each.y), vec2f(each.x, 0.0), goes_aside);
         i++;
-        if is_met || is_last || i >= LOTS_CROSSED { break; }
+        if nothing || sees > LOTS_HIDDEN.y || is_met || is_last || i >= LOTS_CROSSED { break; }
     }
     let is_house = met > 0.0;
     let here = f - sight * met;
@@ -182,23 +193,32 @@ fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on
     let faces = clamp(-dot(sun, wall), 0.0, 1.5);
     let roof = roof_of(lot.word, tiled);
     var albedo = select(select(ASPHALT, roof, is_house), mix(WALLS, roof, 0.3), on_wall);
-    albedo *= mix(IN_SHADOW, 1.0, lit * select(1.0, faces, on_wall));
+    // Its windows: how high, how far along.
+    let along = dot(fract(here), abs(wall.yx));
+    let pane = vec2f(met, along) * WINDOWS;
+    let in_glass = all(abs(fract(pane) - 0.5) < vec2f(0.5 * sqrt(GLASS.x)));
+    let glazed = mix(1.0 - GLASS.x * (1.0 - GLASS.y), select(1.0, GLASS.y, in_glass), smoothstep(WINDOWS_SEEN.x, WINDOWS_SEEN.y, sees));
+    albedo *= select(1.0, glazed, on_wall);
+    let sunlit = mix(BOUNCES, 1.0, lit * select(1.0, faces, on_wall));
+    let sky = select(select(STREET_SKY, 1.0, is_house), WALL_SKY, on_wall);
     // A garden, where neither house nor street is.
-    let paved = select(select(0.75 * dense, 1.0, lot.street), 1.0, is_house);
+    let paved = select(select(PAVED_YARDS * dense, 1.0, lot.street), 1.0, is_house);
     // Of lots that do not show their mean is left, and of blocks that of blocks.
     let block = hash(vec3u((own & vec2u((1u << LOT_LEVEL) - 1u)) >> vec2u(3u, 2u), 99u));
     let toned = 1.0 + (1.0 - smoothstep(0.3, 1.0, sees / 5.0)) * 0.35 * (f32(block >> 24u) / 127.5 - 1.0);
-    let covers = 0.66 * mix(HOUSES.x, HOUSES.y, dense);
-    let mean_cover = covers + 0.34 + (0.66 - covers) * 0.75 * dense;
-    let mean_roof = mix(vec3f(0.153), 1.0 * TILES, tiled);
-    let mean_albedo = TOWN_MEAN * (covers * mean_roof + (mean_cover - covers) * ASPHALT) / mean_cover;
-    let whole = 1.0 - smoothstep(0.45, 1.1, sees);
+    let covers = (1.0 - STREETS) * mix(HOUSES.x, HOUSES.y, dense);
+    let mean_cover = covers + STREETS + (1.0 - STREETS - covers) * PAVED_YARDS * dense;
+    let mean_roof = mix(vec3f(0.153), TILES, tiled);
+    let mean_flat = (covers * mean_roof + (mean_cover - covers) * ASPHALT) / mean_cover;
+    let mean_albedo = mix(mean_flat, WALLS, MEAN_WALLS);
+    let whole = 1.0 - smoothstep(LOTS_HIDDEN.x, LOTS_HIDDEN.y, sees);
     // A lamp in the middle of every second lot of a street, yellow or white; behind some windows of walls there is light.
     let warmth = mix(vec3f(1.0, 0.62, 0.27), vec3f(1.0, 0.86, 0.66), f32(block & 255u) / 255.0);
     let lamp = LAMP_LIGHT * (1.0 - smoothstep(LAMPS, LAMPS + max(sees, 0.1), length(fract(here) - 0.5))) * min(LAMPS / max(sees, 0.1), 1.0);
     let on_street = select(0.0, STREET_LIGHT + select(0.0, lamp, (lot.word & 1u) == 0u), lot.street && !is_house);
-    let window = hash(vec3u(lot.word, vec2u(vec2f(met, f32(i)) * 6.0)));
+    let window = hash(vec3u(lot.word, bitcast<vec2u>(vec2i(floor(pane)))));
     let shining = select(on_street * warmth, vec3f(1.0, 0.8, 0.55) * select(0.0, WINDOW_LIGHT, (window & 3u) == 0u), on_wall);
-    let mean_shining = (0.34 * (STREET_LIGHT + 0.5 * LAMP_LIGHT * PI * LAMPS * LAMPS) + 0.02 * WINDOW_LIGHT) * warmth;
-    return Houses(toned * mix(mean_albedo, albedo, whole), mix(mean_cover, paved, whole), toned * toned * toned * mix(0.25, 1.0, dense) * mix(mean_shining, shining, whole));
+    let mean_shining = (STREETS * (STREET_LIGHT + 0.5 * LAMP_LIGHT * PI * LAMPS * LAMPS) + 0.02 * WINDOW_LIGHT) * warmth;
+    let shines = toned * toned * toned * mix(0.25, 1.0, dense) * mix(LIT_TOWNS.x, LIT_TOWNS.y, town.tall) * mix(mean_shining, shining, whole);
+    return Houses(toned * mix(mean_albedo, albedo, whole), mix(mean_cover, paved, whole), mix(MEAN_SUN, sunlit, whole), mix(MEAN_SKY, sky, whole), shines);
 }

@@ -153,6 +153,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     var grown = smoothstep(0.2, 1.2, -ground.ocean_shore / usual_width);
     var sandy = smoothstep(0.15, 0.09, length(terrain)) * (1.0 - ground.cliff) * (1.0 - 0.7 * rocky) * (1.0 - 0.9 * bank);
     var shines = vec3f(0.0);
+    var town_light = vec2f(1.0);      // of the sun's and the sky's
     var rises = vec2f(0.0);
     var own_shade = 0.0;
     var standing = NOTHING_STANDS;
@@ -215,11 +216,13 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             albedo = mix(albedo * mix(1.0, WOODED, green * towers), wall.albedo, bare_wall);
             var hidden = bare_wall;
             if TOWN {
-                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, across);
-                let paved = select(built.share, 0.0, is_bed) * town.cover * (1.0 - rock);
+                let share = select(built.share, 0.0, is_bed) * (1.0 - rock);
+                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, across, share <= 0.0);
+                let paved = share * town.cover;
                 albedo = mix(albedo, town.albedo, paved);
                 hidden = max(hidden, paved);
-                shines = select(built.share, 0.0, is_bed) * (1.0 - rock) * lamps_lit(up) * town.shines;
+                town_light = mix(vec2f(1.0), vec2f(town.sun, town.sky), paved);
+                shines = share * lamps_lit(up) * town.shines;
             }
             rises *= 1.0 - hidden;
             standing.cover *= 1.0 - hidden;
@@ -241,6 +244,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);
     albedo = mix(albedo, sand, bare);
+    shines *= 1.0 - bare;
+    town_light = mix(town_light, vec2f(1.0), bare);
     if FINE && GROWTH && !is_bed {
         let boulders = mix(vec2f(1.0), BOULDERS, rocky);
         albedo *= max(1.0 + mix(2.5 * flat, boulders.x, bare) * grain.tone, 0.2);
@@ -249,8 +254,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     shaded = normalize(mix(shaded, normal, bare * sandy) - rises.x * east - rises.y * north);
     // Leaves let light through to the side that is turned away.
     let faces = max(dot(frame.light, shaded), THROUGH_LEAVES * standing.cover * max(dot(frame.light, up), 0.0));
-    let sun = light.sun * (1.0 + own_shade) * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade);
+    let sun = light.sun * (1.0 + own_shade) * max(faces, 0.0) * smoothstep(-0.02, 0.03, dot(frame.light, up)) * (1.0 - 0.85 * standing.shade) * town_light.x;
     // Valleys see less of the sky.
-    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade);
+    let ambient = light.sky * (0.6 + 0.4 * dot(shaded, up)) * (1.0 + HOLLOW * min(made.hollow, 0.0)) * (1.0 - 0.5 * standing.shade) * town_light.y;
     return LitGround(normal, albedo, albedo / PI * (sun + ambient) + shines, select(sandy * (1.0 - grown), 0.0, is_bed));
 }

@@ -27,12 +27,15 @@ pub struct Overlay<'a> {
     pub cursor: Option<DVec2>,
 }
 
+/// Who is to be credited for what the program holds itself: the others ask for a line in NOTICE alone.
+const TOWNS_CREDIT: &str = "Towns: GeoNames, CC BY 4.0";
+
 impl Overlay<'_> {
     /// Writes it along the lower edge.
     pub fn show(&self, ui: &egui::Ui, rect: Rect, world: &mut World, settings: &Settings) {
         let line = |number: f32| rect.left_bottom() + vec2(8.0, -6.0 - 16.0 * number);
-        let credits = world.credits().join(" · ");
-        if settings.layers.shows(Layer::Credits) && !credits.is_empty() {
+        let credits = [world.credits(), vec![TOWNS_CREDIT.to_owned()]].concat().join(" · ");
+        if settings.layers.shows(Layer::Credits) {
             // As wide as the window, in as many lines as it takes, from below.
             let width = rect.width() - 16.0;
             let galley = ui.painter().layout(credits, FontId::proportional(10.0), Color32::from_gray(225), width);

@@ -56,7 +56,11 @@ fn append(source: &str, seen: &mut HashSet<String>, text: &mut String) {
         }
         if let Some(usual) = line.strip_prefix("#usually ") {
             let name = usual.split_once(' ').map_or(usual, |(name, _)| name);
-            if !text.contains(&format!("const {name}: ")) {
+            let declares = |line: &str| {
+                let rest = line.strip_prefix("const ").and_then(|rest| rest.strip_prefix(name));
+                rest.is_some_and(|rest| rest.trim_start().starts_with([':', '=']))
+            };
+            if !text.lines().any(declares) {
                 text.push_str(&format!("const {usual}\n"));
             }
             continue;
@@ -92,6 +96,8 @@ mod tests {
     fn usual_constants_give_way_to_those_of_the_composer() {
         assert_eq!(super::composed("#usually N = 4u;", ""), "\nconst N = 4u;\n");
         assert_eq!(super::composed("#usually N = 4u;", "const N: u32 = 5u;"), "const N: u32 = 5u;\n");
+        assert_eq!(super::composed("#usually N = 4u;", "const N = 5u;"), "const N = 5u;\n");
+        assert_eq!(super::composed("#usually N = 4u;", "// const N = 5u;"), "// const N = 5u;\nconst N = 4u;\n");
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::data::city_lights::{CityLight, TEXELS, city_lights};
 use crate::gpu::{Gpu, shader};
 use crate::model::earth::{self, WGS84};
 use crate::model::noise::hash;
+use crate::model::sea_bed::smoothstep;
 use crate::scene::frame::Frame;
 use crate::scene::settings::Quality;
 
@@ -18,6 +19,11 @@ const MOST_OF_TOWN: f64 = 192.0;
 const PIXELS: f64 = 5.0;
 /// Radiance that a picture of low quality shows from, of the brightest, nearer and from space: a third of all, and what makes out coasts.
 const FAINTEST_OF_LOW: [f64; 2] = [0.02, 0.2];
+/// Widths of pixels on the ground, m, up to which streets have lamps of their own (`TOWNS_SEEN` in `shaders/lib/built_up.wgsl`) and from which on these alone are
+/// drawn, in pictures that are not of low quality;
+const OWN_LAMPS_M: [f64; 2] = [150.0, 500.0];
+/// and at the equator how far from the eye streets begin and end to be known to have them, m: as far as the coarser window of `src/pass/towns.rs` surely reaches.
+const LAMPS_KNOWN_M: [f64; 2] = [250e3, 390e3];
 /// The highest ground with lamps, m.
 const HIGHEST_M: f64 = 4_500.0;
 /// How far beyond the picture's edges lamps are drawn, half widths: more than a spot reaches.
@@ -107,10 +113,10 @@ impl CityLights {
         Self { towns: city_lights().map(Town::new).collect(), lamps }
     }
 
-    /// Lights the lamps that may be in a frame.
-    pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame) -> &Points {
+    /// Lights the lamps that may be in a frame; `imagery`: whether there is imagery of the land, without which no town is built up.
+    pub fn prepare(&mut self, gpu: &Gpu, frame: &Frame, imagery: bool) -> &Points {
         let shown = &mut self.lamps[usize::from(is_from_space(frame))];
-        shown.show(gpu, &lamps(&self.towns, frame));
+        shown.show(gpu, &lamps(&self.towns, frame, imagery));
         shown
     }
 }
@@ -119,8 +125,8 @@ fn is_from_space(frame: &Frame) -> bool {
     frame.camera.altitude_m > SPACE_M
 }
 
-fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
-    let seen = seen(towns, frame);
+fn lamps(towns: &[Town], frame: &Frame, imagery: bool) -> Vec<Point> {
+    let seen = seen(towns, frame, imagery && frame.is_fine());
     let wished: f64 = seen.iter().map(|seen| seen.lamps).sum();
     let share = (MOST as f64 / 2.0 / wished.max(1.0)).min(1.0);
     let enu = earth::ecef_from_enu(frame.camera.lat, frame.camera.lon).transpose();
@@ -155,8 +161,8 @@ fn lamps(towns: &[Town], frame: &Frame) -> Vec<Point> {
     lamps
 }
 
-/// Towns that may be in a frame: it is night there, they are over the horizon, and in front of the eye.
-fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
+/// Towns that may be in a frame, where `built_up` ones have lamps of their own near the eye: it is night there, they are over the horizon, and in front of the eye.
+fn seen(towns: &[Town], frame: &Frame, built_up: bool) -> Vec<Seen> {
     let u = &frame.uniform;
     let enu = earth::ecef_from_enu(frame.camera.lat, frame.camera.lon);
     let (eye, forward, sun) = (frame.camera.eye_ecef(), enu * u.ray_forward.as_dvec3(), enu * u.sun.as_dvec3());
@@ -173,9 +179,14 @@ fn seen(towns: &[Town], frame: &Frame) -> Vec<Seen> {
         if day >= DUSK[0] || town.radiance < faintest {
             return None;
         }
-        let lit = ((DUSK[0] - day) / (DUSK[0] - DUSK[1])).min(1.0);
         let way = town.place() - eye;
         let distance = way.length();
+        let sinks = (-way.dot(town.normal) / distance.max(1.0)).max(0.05);
+        let footprint = pixel * distance / sinks.sqrt();
+        let known = LAMPS_KNOWN_M.map(|metres| metres * frame.camera.lat.cos());
+        let far = smoothstep(OWN_LAMPS_M[0], OWN_LAMPS_M[1], footprint).max(smoothstep(known[0], known[1], distance));
+        let own = if built_up { far } else { 1.0 };
+        let lit = own * ((DUSK[0] - day) / (DUSK[0] - DUSK[1])).min(1.0);
         let reach = 2.0 * HALF_SIDE_M;
         // From space, what turns away lies behind the limb; nearer, high ground may look over the horizon.
         if distance > farthest + reach || (from_space && way.dot(town.normal) >= 0.0) {

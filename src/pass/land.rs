@@ -1,14 +1,15 @@
 //! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in instanced draws. What beaches show that waves run up takes much
 //! longer than other ground, and is a narrow strip: where tiles have one they are drawn without it, and then those of their blocks that it crosses once more.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::kind::{ByGround, Kind};
+use super::kind::Kind;
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
-use crate::gpu::pipeline::{Depth, DepthTest};
+use crate::gpu::pipeline::{Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
 use crate::scene::view::map_tiles::DrawnTile;
 
@@ -42,7 +43,7 @@ impl Instance {
 pub const GROWTH_M: f64 = 26.0;
 
 /// What of the ground of a tile may show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Near {
     /// No more than what is as wide as pixels of [`GROWTH_M`].
     Nothing,
@@ -52,12 +53,8 @@ pub enum Near {
     Lakes,
 }
 
-impl Near {
-    const ALL: [Self; 3] = [Self::Nothing, Self::Growth, Self::Lakes];
-}
-
 /// What is drawn of ground where beaches are that waves run up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Beach {
     /// There are none.
     Absent,
@@ -72,8 +69,8 @@ impl Beach {
     pub const ALL: [Self; 3] = [Self::Absent, Self::Beside, Self::Only];
 }
 
-/// What the ground of a tile is drawn with; each has pipelines of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What the ground of a tile is drawn with: shaders are compiled for what may show, since software rasterisers run both sides of every branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ground {
     /// What may show on it.
     pub near: Near,
@@ -83,36 +80,25 @@ pub struct Ground {
     pub rugged: bool,
     /// Whether there may be houses.
     pub town: bool,
+    /// Whether there may be a lake or a river.
+    pub inland: bool,
+    /// Whether there may be coral reefs before it.
+    pub reefs: bool,
 }
 
 impl Ground {
-    /// Every one.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let each = |bits: usize| {
-            let [rugged, town] = [1, 2].map(|bit| bits & bit != 0);
-            Self { near: Near::ALL[bits >> 2 & 3], beach: Beach::ALL[bits >> 4], rugged, town }
-        };
-        (0..48).filter(|bits| bits >> 2 & 3 < 3).map(each)
-    }
-
-    /// Whether pictures of a kind are drawn with it: those that show towns are fine, and what all show without lakes is left to [`Near::Growth`].
-    fn is_of(self, kind: Kind) -> bool {
-        let has_beach = self.beach == Beach::Absent || kind.shows_lakes();
-        (self.near == Near::Growth || kind.shows_lakes()) && has_beach && (!self.town || kind.fine)
-    }
-
-    /// Its place among [`Ground::all`].
-    fn index(self) -> usize {
-        let Self { near, beach, rugged, town } = self;
-        ((beach as usize * 3 + near as usize) * 2 + usize::from(town)) * 2 + usize::from(rugged)
+    /// What of it a kind of picture shows, with imagery or without: towns are fine, and what all show without lakes is left to [`Near::Growth`].
+    fn shown(self, kind: Kind, imagery: bool) -> Self {
+        let near = if kind.shows_lakes() { self.near } else { Near::Growth };
+        Self { near, town: self.town && kind.fine && imagery, ..self }
     }
 }
 
 /// The composed shader of a kind of picture, with imagery or without. Beaches are never drawn without what grows beside them.
-pub fn source(kind: Kind, imagery: bool, Ground { near, beach, rugged, town }: Ground) -> String {
+pub fn source(kind: Kind, imagery: bool, ground: Ground) -> String {
+    let Ground { near, beach, rugged, town, inland, reefs } = ground.shown(kind, imagery);
     let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach != Beach::Absent);
     let [beside, swash] = [Beach::Beside, Beach::Only].map(|of| beach == of);
-    let town = town && imagery && kind.fine;
     let shown = [
         ("RUGGED", rugged),
         ("LAKES", lakes),
@@ -120,6 +106,8 @@ pub fn source(kind: Kind, imagery: bool, Ground { near, beach, rugged, town }: G
         ("SWASH", swash),
         ("GROWTH", growth),
         ("TOWN", town),
+        ("INLAND", inland || lakes),
+        ("REEFS", reefs),
     ];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
@@ -127,8 +115,10 @@ pub fn source(kind: Kind, imagery: bool, Ground { near, beach, rugged, town }: G
 
 /// The pass.
 pub struct Land {
-    /// As [`Ground::all`].
-    pipelines: Vec<ByGround>,
+    /// Those that pictures have been drawn with so far, by what their shaders are made of.
+    pipelines: HashMap<(Kind, bool, Ground), Drawing>,
+    groups: [wgpu::BindGroupLayout; 3],
+    formats: [wgpu::TextureFormat; 2],
     grid: wgpu::Buffer,
     indices: wgpu::Buffer,
     blocks: Blocks,
@@ -180,31 +170,14 @@ fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
 }
 
 impl Land {
-    /// The pass into `colour` and `depth` formats; `groups` are the layouts of bind groups: frame, surface, imagery.
-    pub fn new(gpu: &Gpu, groups: [&wgpu::BindGroupLayout; 3], [colour, depth]: [wgpu::TextureFormat; 2]) -> Self {
-        let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
-        let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2, 3 => Uint32];
-        let layout = |array_stride: usize, step_mode, attributes| wgpu::VertexBufferLayout {
-            array_stride: array_stride as u64,
-            step_mode,
-            attributes,
-        };
-        let buffers = [
-            layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
-            layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
-        ];
-        let depth = Some(Depth::single(depth, DepthTest::Nearest));
-        let pipelines = |ground: Ground| {
-            let kinds = move || Kind::all().filter(move |kind| ground.is_of(*kind));
-            ByGround::new(kinds, |kind, imagery| {
-                let source = source(kind, imagery, ground);
-                gpu.drawing("land", (&source, "vertex"), &groups, &buffers, colour, depth)
-            })
-        };
+    /// The pass into `formats` of colour and depth; `groups` are the layouts of bind groups: frame, surface, imagery.
+    pub fn new(gpu: &Gpu, groups: [&wgpu::BindGroupLayout; 3], formats: [wgpu::TextureFormat; 2]) -> Self {
         let (vertices, indices, blocks) = mesh();
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
-            pipelines: Ground::all().map(pipelines).collect(),
+            pipelines: HashMap::new(),
+            groups: groups.map(Clone::clone),
+            formats,
             grid: gpu.buffer("land grid", wgpu::BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             indices: gpu.buffer("land indices", wgpu::BufferUsages::INDEX, bytemuck::cast_slice(&indices)),
             instances: gpu.empty_buffer(
@@ -219,25 +192,24 @@ impl Land {
         }
     }
 
-    /// Sets the tiles of the next draw; what comes first should be near: it spares the shading of what it hides. `near`, `has_town` and `has_beach`: what may show on a
-    /// tile, whether it has houses, and whether it, or one of its descendants, may have beaches that waves run up.
+    /// Sets the tiles of the next draw of a kind of picture, with imagery or without; what comes first should be near: it spares the shading of what it hides.
+    /// `ground` and `has_beach`: what a tile is drawn with but for its beaches, and whether it, or one of its descendants, may have some that waves run up.
     pub fn set_tiles(
         &mut self,
         gpu: &Gpu,
+        (kind, imagery): (Kind, bool),
         tiles: impl Iterator<Item = DrawnTile>,
-        near: impl Fn(TileId) -> Near,
-        has_town: impl Fn(TileId) -> bool,
+        ground: impl Fn(DrawnTile) -> Ground,
         has_beach: impl Fn(TileId) -> bool,
     ) {
         let whole = 0..self.blocks[self.blocks.len() - 1].end;
         let mut room = MOST_BLOCKS;
         let mut drawn = Vec::new();
-        for DrawnTile { id, is_rugged } in tiles.take(MOST_TILES) {
-            let found = blocks_with(id, &has_beach);
+        for tile in tiles.take(MOST_TILES) {
+            let found = blocks_with(tile.id, &has_beach);
             let beaches = if found.count_ones() as usize > room { 0 } else { found };
             room -= beaches.count_ones() as usize;
-            let ground = Ground { near: near(id), beach: Beach::Absent, rugged: is_rugged, town: has_town(id) };
-            drawn.push((ground, Instance::new(id, beaches)));
+            drawn.push((ground(tile).shown(kind, imagery), Instance::new(tile.id, beaches)));
         }
         self.draws.clear();
         self.tiles = drawn.len() as u32;
@@ -253,19 +225,25 @@ impl Land {
             }
         };
         // Ground with relief, which is near, comes first, and beaches last: what has been drawn beside them hides the rest of their blocks.
-        let grounds = |beach: Beach| {
-            let mut grounds: Vec<_> = Ground::all().filter(|ground| ground.beach == beach).collect();
-            grounds.sort_by_key(|ground| !ground.rugged);
-            grounds
-        };
-        for by in grounds(Beach::Absent) {
-            draw(Ground { beach: Beach::Beside, ..by }, &whole, &|beaches| beaches != 0);
-            draw(by, &whole, &|beaches| beaches == 0);
-        }
-        for by in grounds(Beach::Only) {
-            for (block, indices) in self.blocks.iter().enumerate() {
-                draw(by, indices, &|beaches| beaches >> block & 1 != 0);
+        let mut grounds: Vec<Ground> = Vec::new();
+        for (ground, _) in &drawn {
+            if !grounds.contains(ground) {
+                grounds.push(*ground);
             }
+        }
+        grounds.sort_by_key(|ground| !ground.rugged);
+        for by in &grounds {
+            draw(Ground { beach: Beach::Beside, ..*by }, &whole, &|beaches| beaches != 0);
+            draw(*by, &whole, &|beaches| beaches == 0);
+        }
+        for by in &grounds {
+            for (block, indices) in self.blocks.iter().enumerate() {
+                draw(Ground { beach: Beach::Only, ..*by }, indices, &|beaches| beaches >> block & 1 != 0);
+            }
+        }
+        for draw in &self.draws {
+            let pipeline = || pipeline(gpu, self.groups.each_ref(), self.formats, &source(kind, imagery, draw.by));
+            self.pipelines.entry((kind, imagery, draw.by)).or_insert_with(pipeline);
         }
         let triangles = |draw: &Draw| draw.instances.len() as u32 * draw.indices.len() as u32 / 3;
         self.triangles = self.draws.iter().map(triangles).sum();
@@ -277,33 +255,48 @@ impl Land {
         [self.tiles, self.triangles]
     }
 
-    /// Its draws, of a kind and with imagery or without.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, kind: (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
+    /// Its draws, of the kind that its tiles were set for.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, (kind, imagery): (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        (0..).zip(groups).for_each(|(index, group)| pass.set_bind_group(index, group, &[]));
         let mut by = None;
         for draw in &self.draws {
-            let ground = draw.by;
-            let near = if kind.0.shows_lakes() { ground.near } else { Near::Growth };
-            let ground = Ground { near, town: ground.town && kind.0.fine, ..ground };
-            if by != Some(draw.by) && !self.pipelines[ground.index()].set(pass, kind, groups) {
-                continue;
+            let Some(pipeline) = self.pipelines.get(&(kind, imagery, draw.by)) else { continue };
+            if by != Some(draw.by) {
+                pass.set_pipeline(pipeline);
+                by = Some(draw.by);
             }
-            by = Some(draw.by);
             pass.draw_indexed(draw.indices.clone(), 0, draw.instances.clone());
         }
     }
 }
 
+fn pipeline(
+    gpu: &Gpu,
+    groups: [&wgpu::BindGroupLayout; 3],
+    [colour, depth]: [wgpu::TextureFormat; 2],
+    source: &str,
+) -> Drawing {
+    let per_vertex = wgpu::vertex_attr_array![2 => Float32x2];
+    let per_tile = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2, 3 => Uint32];
+    let layout = |array_stride: usize, step_mode, attributes| wgpu::VertexBufferLayout {
+        array_stride: array_stride as u64,
+        step_mode,
+        attributes,
+    };
+    let buffers = [
+        layout(8, wgpu::VertexStepMode::Vertex, &per_vertex),
+        layout(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &per_tile),
+    ];
+    let depth = Some(Depth::single(depth, DepthTest::Nearest));
+    gpu.drawing("land", (source, "vertex"), &groups, &buffers, colour, depth)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn each_ground_has_its_pipelines() {
-        assert_eq!(Ground::all().map(Ground::index).collect::<Vec<_>>(), (0..36).collect::<Vec<_>>());
-    }
 
     #[test]
     fn blocks_are_the_grid_and_lie_where_descendants_of_their_tile_do() {

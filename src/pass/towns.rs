@@ -77,8 +77,8 @@ impl Window {
         let [columns, rows] = [0, 1].map(|axis| {
             let first = i64::from(corner[axis].wrapping_sub(self.corner[axis]) as i32) >> shift;
             let last = first + (side >> shift) as i64;
-            let clamped = |at: i64| at.div_euclid(block).clamp(-1, BLOCKS as i64);
-            (clamped(first) - 1).max(0)..(clamped(last) + 2).clamp(0, BLOCKS as i64)
+            let [first, last] = [first.div_euclid(block) - 1, last.div_euclid(block) + 1];
+            first.clamp(0, BLOCKS as i64)..(last + 1).clamp(0, BLOCKS as i64)
         });
         let mask = columns.fold(0u64, |mask, column| mask | 1 << column);
         rows.into_iter().any(|row| self.blocks[row as usize] & mask != 0)
@@ -132,8 +132,8 @@ impl Towns {
             return;
         }
         let eye = units(camera.lat, camera.lon);
-        for index in 0..SHIFTS.len() {
-            let corner = corner_about(eye, SHIFTS[index]);
+        for (index, shift) in SHIFTS.into_iter().enumerate() {
+            let corner = corner_about(eye, shift);
             if self.windows[index].as_ref().is_some_and(|window| window.corner == corner) {
                 continue;
             }

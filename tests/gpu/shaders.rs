@@ -61,8 +61,9 @@ pub fn all() -> Vec<(&'static str, String)> {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
             let mut land = |near, rugged, beach| {
-                for town in [false, kind.fine && imagery] {
-                    let ground = Ground { near, beach, rugged, town };
+                // What may show and what may not, all of it.
+                for shown in [true, false] {
+                    let ground = Ground { near, beach, rugged, town: shown, inland: shown, reefs: shown };
                     all.push(("land.wgsl", land::source(kind, imagery, ground)));
                 }
             };
@@ -253,9 +254,10 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let ground = Ground { near: Near::Lakes, beach: Beach::Only, rugged: true, town: false };
+    let ground = Ground { near: Near::Lakes, beach: Beach::Only, rugged: true, town: true, inland: true, reefs: true };
     let land = land::source(Kind::default(), true, ground);
     assert_eq!(constant(&land, "TOWN_SIDE"), towns::SIDE as f64);
+    assert_eq!(constants(&land, "TOWN_SHIFTS"), towns::SHIFTS.map(f64::from));
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);
     assert_eq!(constant(&ocean, "BLEND_WIDTH"), wave_domain::BLEND_WIDTH_M);
     assert_eq!(constant(&ocean, "PATCHES"), wave_domain::PATCHES as f64);
