@@ -23,6 +23,7 @@ const LOT_CROSSED_MOST = 5.0;           // how far, in lots, a sight goes while 
 const HOUSES = vec2f(0.55, 0.97);       // share of the lots of villages and of cities' hearts that have one
 const APART = vec2f(0.17, 0.03);        // and how far these stand from their lots' edges, of a lot
 const HIGH = vec3f(0.45, 3.0, 8.0);     // height of the highest houses there and of the towers in the midst of great cities, in lots: 7, 45 and 120 m
+const UNDER_EYE = 0.6;                  // of the eye's height, that of the highest houses about it, at most
 const DOWNTOWN = vec2f(0.75, 0.97);        // of what texels tell, where these begin and are highest
 const ASPHALT = vec3f(0.085, 0.085, 0.088);
 const TILES = vec3f(0.23, 0.115, 0.068);// red roofs,
@@ -67,10 +68,11 @@ fn town_window(level: u32, at: vec2u) -> vec2f {
     return select(vec2f(0.0), vec2f(mix(top, bottom, f.y), min(edge.x, edge.y)), inside);
 }
 
-// How much of the ground is built up, how much lies in a town, parks too, and how densely and how high it is built, each from 0 to 1.
-struct BuiltUp { share: f32, within: f32, dense: f32, tall: f32 }
+// How much of the ground is built up, how much lies in a town, parks too, and how densely and how high it is built, each from 0 to 1; the height that no
+// house has more of, in lots.
+struct BuiltUp { share: f32, within: f32, dense: f32, tall: f32, most: f32 }
 
-const NOT_BUILT_UP = BuiltUp(0.0, 0.0, 0.0, 0.0);
+const NOT_BUILT_UP = BuiltUp(0.0, 0.0, 0.0, 0.0, 0.0);
 
 fn built_up(at: vec2u, slope: f32, footprint: Metres) -> BuiltUp {
     let fine = town_window(0u, at);
@@ -82,7 +84,7 @@ fn built_up(at: vec2u, slope: f32, footprint: Metres) -> BuiltUp {
     let inside = told - TOWN_EDGE.x + TOWN_EDGE.y * wide + TOWN_EDGE.z * narrow;
     let within = smoothstep(0.0, 0.05, inside) * smoothstep(0.0, 0.08, told) * smoothstep(TOWNS_SEEN.x, TOWNS_SEEN.y, footprint);
     let share = within * parks * smoothstep(BUILT_SLOPES.x, BUILT_SLOPES.y, slope);
-    return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow));
+    return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow), HIGH.z);
 }
 
 // How a district's lots are turned.
@@ -102,7 +104,7 @@ fn lot_of(at: vec2u, town: BuiltUp) -> Lot {
     let stands = f32(word & 255u) < 255.0 * mix(HOUSES.x, HOUSES.y, town.dense);
     let few = u * u * u * u;
     let high = mix(HIGH.x * (0.5 + 0.5 * u), mix(HIGH.y, HIGH.z, town.tall) * (0.16 + 0.25 * u + 0.59 * few * u * u), town.dense * town.dense);
-    return Lot(select(0.0, high, stands && !street), street, word);
+    return Lot(select(0.0, min(high, town.most), stands && !street), street, word);
 }
 
 // Its roof's albedo; `tiled`: which share is red.
@@ -128,12 +130,16 @@ fn tiled_at(at: vec2u, sin_lat: f32) -> f32 {
     return mix(0.12, 0.75, here);
 }
 
-// `sight` and `sun`: how far these move right and down on the map while they sink by one; `across`: of a pixel that faces the eye; `nothing`: whether none is there.
-fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, across: Metres, nothing: bool) -> Houses {
+// `sight` and `sun`: how far these move right and down on the map while they sink by one; `eye`: how high it is above the ground, which is no more than a
+// picture: no house is higher than most of that; `across`: of a pixel that faces the eye; `nothing`: whether none is there.
+fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, eye: Metres, across: Metres, nothing: bool) -> Houses {
+    var town = built;
     let t = lots_turn(p.at);
     let turn = vec2f(t);
     let dense = town.dense;
-    let top = mix(HIGH.x, mix(HIGH.y, HIGH.z, town.tall), dense * dense);
+    let lot_width = EARTH_TURN * max(frame.cos_lat, 0.1) / (exp2(f32(LOT_LEVEL)) * length(turn));
+    town.most = UNDER_EYE * max(eye, 0.0) / lot_width;
+    let top = max(min(mix(HIGH.x, mix(HIGH.y, HIGH.z, town.tall), dense * dense), town.most), 0.01);
     let sinks = by_turn(turn, sight_on_map) / length(turn);
     let sight = sinks * min(1.0, LOT_CROSSED_MOST / (top * max(length(sinks), 1e-3)));
     let sun = by_turn(turn, sun_on_map) / length(turn);
@@ -143,7 +149,7 @@ fn houses(p: FinePoint, town: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on
     let own = at >> vec2u(shift);
     let f = (vec2f(at & vec2u((1u << shift) - 1u)) + by_turn(turn, p.part)) / f32(1u << shift);
     let tiled = tiled_at(p.at, sin_lat);
-    let sees = across * exp2(f32(LOT_LEVEL)) * length(turn) / (EARTH_TURN * max(frame.cos_lat, 0.1));
+    let sees = across / lot_width;
     let apart = mix(APART.x, APART.y, dense);
     // From the lot where the sight comes in at the height of the highest to that of the place.
     let first = f - sight * top;

@@ -217,7 +217,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             var hidden = bare_wall;
             if TOWN {
                 let share = select(built.share, 0.0, is_bed) * (1.0 - rock);
-                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, across, share <= 0.0);
+                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, sinks * distance, across, share <= 0.0);
                 let paved = share * town.cover;
                 albedo = mix(albedo, town.albedo, paved);
                 hidden = max(hidden, paved);
