@@ -110,7 +110,8 @@ export const tileTests = (site) => describe("tiles", () => {
       await globe.follow(COAST);
 
       const picture = await globe.picture();
-      const [west, east] = [colourAt(picture, 0.1, 0.5), colourAt(picture, 0.85, 0.4)];
+      // Between the towns about Lisbon, whose grey roofs the haze makes blue.
+      const [west, east] = [colourAt(picture, 0.1, 0.5), colourAt(picture, 0.9, 0.38)];
       assert.equal(kindOf(west), "sea", `west: ${west}`);
       assert.equal(kindOf(east), "land", `east: ${east}`);
       assert.equal(await globe.state(), "running");
