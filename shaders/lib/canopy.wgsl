@@ -65,37 +65,27 @@ fn canopy(p: FinePoint, woods: f32, pointed: f32, sight_on_map: vec2f, sun_on_ma
     let turn = vec2f(CROWN_TURN);
     let tall = mix(CROWN_TALL.x, CROWN_TALL.y, pointed);
     let top = CROWN_BASES + CROWN_RADII.y * (1.0 - CROWN_SLIM * pointed) * tall;
-    let sinks = by_turn(turn, sight_on_map) / length(turn);
-    let sight = sinks * min(1.0, CROWN_CROSSED / (top * max(length(sinks), 1e-3)));
-    let sun = by_turn(turn, sun_on_map) / length(turn);
-    let shift = 32u - CROWN_LEVEL;
-    let t = bitcast<vec2u>(CROWN_TURN);
-    let at = vec2u(t.x * p.at.x - t.y * p.at.y, t.y * p.at.x + t.x * p.at.y);
-    let own = at >> vec2u(shift);
-    let f = (vec2f(at & vec2u((1u << shift) - 1u)) + by_turn(turn, p.part)) / f32(1u << shift);
+    let sight = sight_in_lattice(sight_on_map, CROWN_TURN, top, CROWN_CROSSED);
+    let sun = in_lattice(sun_on_map, CROWN_TURN);
+    let stands = celled(p, CROWN_TURN, CROWN_LEVEL);
+    let own = stands.own;
+    let f = stands.f;
     // Through blocks between the middles of four cells, whose crowns alone reach into it.
-    let first = f - 0.5 - sight * top;
-    let ways = sign(sight);
-    let each = 1.0 / max(abs(sight), vec2f(1e-4));
-    var block = floor(first);
-    var next = select((first - block) * each, (block + 1.0 - first) * each, sight > vec2f(0.0));
-    next = select(next, vec2f(1e9), abs(sight) < vec2f(1e-4));
+    var walk = walk_from(f - 0.5 - sight * top, sight);
     var met = 0.0;
     var crown = Crown(0.0, vec2f(0.0), 0.0, 0u);
     var i = 0u;
     loop {
         for (var k = 0u; k < 4u; k++) {
-            let other = crown_of(own, block + vec2f(vec2u(k & 1u, k >> 1u)), woods, pointed);
+            let other = crown_of(own, walk.cell + vec2f(vec2u(k & 1u, k >> 1u)), woods, pointed);
             let height = crown_met(f, sight, other, tall);
             if height > met {
                 met = height;
                 crown = other;
             }
         }
-        let way = min(next.x, next.y);
-        let goes_aside = next.x < next.y;
-        block += select(vec2f(0.0, ways.y), vec2f(ways.x, 0.0), goes_aside);
-        next += select(vec2f(0.0, each.y), vec2f(each.x, 0.0), goes_aside);
+        let way = min(walk.next.x, walk.next.y);
+        walk = walked(walk);
         i++;
         // What is met farther on is lower than where the sight leaves the block.
         if nothing || way >= top - met || i >= CROWN_BLOCKS { break; }

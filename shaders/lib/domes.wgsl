@@ -1,6 +1,7 @@
 // Domes on square lattices, at most one in a cell: what each plant of plants.wgsl is. A sight goes through the cells from above, so that domes stand
 // upright however one looks at them.
 #import bed_cover
+#import cells
 
 // Of what stands: `tone`, about its mean over the plane from above; `cover`, the share of the pixel that shows it; `rise`, of the surface
 // right and down on the map; `shade`, the share of the light that it takes from the ground beside it; `leaf`: a place on
@@ -9,21 +10,9 @@ struct Standing { tone: f32, cover: f32, rise: vec2f, shade: f32, leaf: vec3f }
 
 const NOTHING_STANDS = Standing(0.0, 0.0, vec2f(0.0), 0.0, vec3f(0.0));
 
-// A place of the map with what is below its units, 9 mm at the equator.
-struct FinePoint { at: vec2u, part: vec2f }
-
-fn moved_by(p: FinePoint, units: vec2f) -> FinePoint {
-    let sum = p.part + units;
-    return FinePoint(p.at + bitcast<vec2u>(vec2i(floor(sum))), sum - floor(sum));
-}
-
-// The square lattice of a size turned by a whole-numbered vector, so that rows of none lie along another's or to the north; cells have a side of
-// the level's over the vector's length.
-// `fringed`: how deep the gaps of outlines are, of the radius; `dome`: height of a dome over its radius; `tones`: of a dome on green ground at its foot,
+// The lattice of a size. `fringed`: how deep the gaps of outlines are, of the radius; `dome`: height of a dome over its radius; `tones`: of a dome on green ground at its foot,
 // and how much brighter its top is.
 struct Lattice { level: u32, turn: vec2i, fringed: f32, dome: f32, tones: vec2f, grouped: bool }
-
-fn by_turn(turn: vec2f, way: vec2f) -> vec2f { return vec2f(turn.x * way.x - turn.y * way.y, turn.y * way.x + turn.x * way.y); }
 
 const DOME_WIDEST = 0.48;          // radius, of a cell
 const MARGIN = 0.15;               // of a share: above it domes are whole
@@ -99,21 +88,13 @@ fn shadow_of(f: vec2f, cell: vec2f, own: vec2u, lattice: Lattice, share: f32, gr
 fn domes(p: FinePoint, lattice: Lattice, share: f32, green: f32, sight_on_map: vec2f, sun_on_map: vec2f, sees: f32, nothing: bool) -> Standing {
     let turn = vec2f(lattice.turn);
     let top = dome_top(lattice);
-    let sinks = by_turn(turn, sight_on_map) / length(turn);
-    let sight = sinks * min(1.0, CROSSED_MOST / (top * max(length(sinks), 1e-3)));
-    let sun = by_turn(turn, sun_on_map) / length(turn);
-    let shift = 32u - lattice.level;
-    let t = bitcast<vec2u>(lattice.turn);
-    let at = vec2u(t.x * p.at.x - t.y * p.at.y, t.y * p.at.x + t.x * p.at.y);
-    let own = at >> vec2u(shift);
-    let f = (vec2f(at & vec2u((1u << shift) - 1u)) + by_turn(turn, p.part)) / f32(1u << shift);
+    let sight = sight_in_lattice(sight_on_map, lattice.turn, top, CROSSED_MOST);
+    let sun = in_lattice(sun_on_map, lattice.turn);
+    let place = celled(p, lattice.turn, lattice.level);
+    let own = place.own;
+    let f = place.f;
     // From the cell where the sight comes in at the height of the highest to that of the place.
-    let first = f - sight * top;
-    let ways = sign(sight);
-    let each = 1.0 / max(abs(sight), vec2f(1e-4));
-    var cell = floor(first);
-    var next = select((first - cell) * each, (cell + 1.0 - first) * each, sight > vec2f(0.0));
-    next = select(next, vec2f(1e9), abs(sight) < vec2f(1e-4));
+    var walk = walk_from(f - sight * top, sight);
     let a = dot(sight, sight) + 1.0 / (lattice.dome * lattice.dome);
     let tones = dome_tones(lattice, green);
     let leafy = 1.0 - smoothstep(0.03, 0.1, sees);
@@ -121,9 +102,9 @@ fn domes(p: FinePoint, lattice: Lattice, share: f32, green: f32, sight_on_map: v
     var left = 1.0;
     var i = 0u;
     loop {
-        let dome = dome_of(own + bitcast<vec2u>(vec2i(cell)), lattice, share, green);
+        let dome = dome_of(own + bitcast<vec2u>(vec2i(walk.cell)), lattice, share, green);
         let radius = dome.radius;
-        let off = f - cell - 0.5 - (0.5 - radius) * dome.aside;
+        let off = f - walk.cell - 0.5 - (0.5 - radius) * dome.aside;
         // Where the sight is h over the ground it is at off - sight h; the dome is where |off - sight h|² + (h / dome)² = radius².
         let b = dot(off, sight);
         let nearest = max(dot(off, off) - b * b / a, 0.0);
@@ -142,10 +123,8 @@ fn domes(p: FinePoint, lattice: Lattice, share: f32, green: f32, sight_on_map: v
         found.rise -= lattice.dome * seen * side / max(radius * max(high, STEEPEST_SIDE), 0.01);
         found.leaf = select(found.leaf, vec3f(dome.aside + radius * on_it, sees), seen > 0.5);
         left -= seen;
-        let is_last = min(next.x, next.y) >= top;
-        let goes_aside = next.x < next.y;
-        cell += select(vec2f(0.0, ways.y), vec2f(ways.x, 0.0), goes_aside);
-        next += select(vec2f(0.0, each.y), vec2f(each.x, 0.0), goes_aside);
+        let is_last = min(walk.next.x, walk.next.y) >= top;
+        walk = walked(walk);
         i++;
         if nothing || is_last || i >= DOME_CELLS || left < 0.02 { break; }
     }

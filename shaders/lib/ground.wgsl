@@ -1,6 +1,7 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
 // what grows on the ground and its grain, TOWN, whether there may be houses, and SHOWS_COVER, whether they may be so narrow
 // that they show what covers the bed.
+// Long, but one thing: the ground's colour and light at a place, from what lies there over what grows, is built and has been washed up to how it is lit.
 #import ground_colour
 #import bed_cover
 #import built_up

@@ -1,8 +1,10 @@
 //! The lights of towns and ships' fires by night, from the bundled picture of them (`scripts/make-lights.sh`; credits: `NOTICE`).
 
+use super::sparse::cells;
+
 /// Columns and rows of the picture, a cylindrical one of the whole globe.
 pub const TEXELS: [u32; 2] = [2048, 1024];
-/// Row by row from the north-west: texels from the last one that is lit to the next (base 128, little-endian), and its value.
+/// Row by row from the north-west, as of [`cells`].
 const PICTURE: &[u8] = include_bytes!("city_lights.bin");
 
 /// The light of a texel.
@@ -18,26 +20,14 @@ pub struct CityLight {
 
 /// All of them, from north to south.
 pub fn city_lights() -> impl Iterator<Item = CityLight> {
-    let [columns, rows] = TEXELS;
-    let mut bytes = PICTURE.iter().copied();
-    let mut next = 0;
-    std::iter::from_fn(move || {
-        let mut gap = 0;
-        for shift in (0..).step_by(7) {
-            let byte = bytes.next()?;
-            gap |= u32::from(byte & 127) << shift;
-            if byte < 128 {
-                break;
-            }
-        }
-        let value = f64::from(bytes.next()?) / 255.0;
-        let texel = next + gap;
-        next = texel + 1;
-        let [x, y] = [texel % columns, texel / columns].map(|i| f64::from(i) + 0.5);
-        Some(CityLight {
-            lat: (0.5 - y / f64::from(rows)) * std::f64::consts::PI,
-            lon: (x / f64::from(columns) - 0.5) * std::f64::consts::TAU,
+    let [columns, rows] = TEXELS.map(u64::from);
+    cells(PICTURE).map(move |(texel, value)| {
+        let value = f64::from(value) / 255.0;
+        let [x, y] = [texel % columns, texel / columns].map(|i| i as f64 + 0.5);
+        CityLight {
+            lat: (0.5 - y / rows as f64) * std::f64::consts::PI,
+            lon: (x / columns as f64 - 0.5) * std::f64::consts::TAU,
             radiance: value * value,
-        })
+        }
     })
 }

@@ -18,6 +18,7 @@ pub mod netcdf;
 pub mod pmtiles;
 mod png_tile;
 pub mod sample;
+mod sparse;
 pub mod stars;
 pub mod streaming;
 pub mod terrarium;

@@ -1,12 +1,13 @@
 //! Where towns stand and how far their houses reach, from the bundled list of them (`scripts/make-towns.sh`; credits: `NOTICE`).
 
+use super::sparse::cells;
 use std::f64::consts::{PI, TAU};
 
 /// Columns and rows of cells, each with one town at most, over the whole globe.
 const CELLS: [u64; 2] = [65_536, 32_768];
 /// Of a radius, m.
 const STEP_M: f64 = 125.0;
-/// Cell by cell from the north-west: cells from the last one with a town to the next (base 128, little-endian), and its radius in steps.
+/// Cell by cell from the north-west, as of [`cells`]: radii in steps.
 const LIST: &[u8] = include_bytes!("towns.bin");
 
 /// A town, or a part of one, as a disc.
@@ -22,21 +23,9 @@ pub struct Town {
 
 /// All of them, from north to south.
 pub fn towns() -> impl Iterator<Item = Town> {
-    let mut bytes = LIST.iter().copied();
-    let mut next = 0;
-    std::iter::from_fn(move || {
-        let mut gap = 0;
-        for shift in (0..).step_by(7) {
-            let byte = bytes.next()?;
-            gap |= u64::from(byte & 127) << shift;
-            if byte < 128 {
-                break;
-            }
-        }
-        let radius_m = STEP_M * f64::from(bytes.next()?);
-        let cell = next + gap;
-        next = cell + 1;
+    cells(LIST).map(|(cell, steps)| {
         let [x, y] = [cell % CELLS[0], cell / CELLS[0]].map(|i| i as f64 + 0.5);
-        Some(Town { lat: (0.5 - y / CELLS[1] as f64) * PI, lon: (x / CELLS[0] as f64 - 0.5) * TAU, radius_m })
+        let [lat, lon] = [(0.5 - y / CELLS[1] as f64) * PI, (x / CELLS[0] as f64 - 0.5) * TAU];
+        Town { lat, lon, radius_m: STEP_M * f64::from(steps) }
     })
 }

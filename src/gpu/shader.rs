@@ -15,7 +15,7 @@ macro_rules! libraries {
 /// Every shader library by name; `frame_memory` is declared in Rust.
 #[rustfmt::skip]
 pub const LIBRARY: &[(&str, &str)] = libraries![
-    "air", "air_coordinates", "atmosphere", "beach", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "built_up", "canopy", "caustic_map",
+    "air", "air_coordinates", "atmosphere", "beach", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "built_up", "canopy", "caustic_map", "cells",
     "cloud_layer", "cloud_light", "cloud_noise", "clouds", "crest_pixels",
     "cuboid", "decks", "domain", "domes", "driven_spray", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "fields", "foam", "foam_light", "four_taps", "frame", "full_screen",
     "ground", "ground_colour", "ground_slope", "gusts", "hash", "held", "ice_clouds", "imagery", "inland", "lace", "lace_net", "lens", "light", "limb", "map", "map_texels", "mirrored_land", "no_lens", "noise", "normal",

@@ -125,6 +125,8 @@ pub struct Land {
     instances: wgpu::Buffer,
     /// Of the next picture.
     draws: Vec<Draw>,
+    /// What kind of picture it is, and whether there is imagery.
+    kind: (Kind, bool),
     tiles: u32,
     triangles: u32,
 }
@@ -187,6 +189,7 @@ impl Land {
             ),
             blocks,
             draws: Vec::new(),
+            kind: (Kind::default(), false),
             tiles: 0,
             triangles: 0,
         }
@@ -211,6 +214,7 @@ impl Land {
             room -= beaches.count_ones() as usize;
             drawn.push((ground(tile).shown(kind, imagery), Instance::new(tile.id, beaches)));
         }
+        self.kind = (kind, imagery);
         self.draws.clear();
         self.tiles = drawn.len() as u32;
         let mut instances = Vec::new();
@@ -255,8 +259,9 @@ impl Land {
         [self.tiles, self.triangles]
     }
 
-    /// Its draws, of the kind that its tiles were set for.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, (kind, imagery): (Kind, bool), groups: [&wgpu::BindGroup; 3]) {
+    /// Its draws.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, groups: [&wgpu::BindGroup; 3]) {
+        let (kind, imagery) = self.kind;
         pass.set_vertex_buffer(0, self.grid.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);

@@ -7,6 +7,7 @@
 //! | [`view`] | where the eye is and how it moves, and which map tiles it sees |
 //! | [`sea`] | the sea of the settings: its tables, foam, surface at a place |
 //! | [`link`] | a view as a link's fragment and back |
+//! | [`towns`] | where the ground about an eye is built up |
 //! | [`frame`] | everything that one picture is drawn from, narrowed to the GPU's numbers |
 
 pub mod frame;
@@ -16,4 +17,5 @@ pub mod measured_place;
 pub mod sea;
 pub mod settings;
 pub mod time;
+pub mod towns;
 pub mod view;

@@ -1,7 +1,7 @@
 //! The bundled towns stand where maps have them, and nowhere else; what the shader is told of them is the same from everywhere.
 
 use ocean_globe::data::towns::{Town, towns};
-use ocean_globe::pass::towns::{SHIFTS, SIDE, TownMap, units};
+use ocean_globe::scene::towns::{SHIFTS, SIDE, TownMap, units};
 
 /// Middles of cities as atlases give them, degrees north and east, and the least radius that so many people need, km.
 const CITIES: [(&str, f64, f64, f64); 10] = [

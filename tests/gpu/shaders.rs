@@ -15,11 +15,12 @@ use ocean_globe::pass::land::{Beach, Ground, Near};
 use ocean_globe::pass::look::Look;
 use ocean_globe::pass::{
     air_table, backdrop, bed_light, bisect, bloom, caustics, city_lights, cloud_light, cloud_map, clouds, deep, fft,
-    foam, globe, land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, towns, waterline,
+    foam, globe, land, ocean, perlin, sky, sky_table, sky_view, spindrift, stars, tonemap, waterline,
 };
 use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
+use ocean_globe::scene::towns;
 
 /// Every composed shader with the file that it comes from.
 pub fn all() -> Vec<(&'static str, String)> {
@@ -61,9 +62,12 @@ pub fn all() -> Vec<(&'static str, String)> {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
             let mut land = |near, rugged, beach| {
-                // What may show and what may not, all of it.
-                for shown in [true, false] {
-                    let ground = Ground { near, beach, rugged, town: shown, inland: shown, reefs: shown };
+                // What may show all of it, and of fine pictures none; of one kind each by itself as well.
+                let is_mixed = imagery && kind == Kind { fine: true, clouds: true, ..Kind::default() };
+                let least = if is_mixed || (kind.fine && imagery && !kind.measured) { 0 } else { 7 };
+                for bits in (least..8).filter(|bits| is_mixed || [0, 7].contains(bits)) {
+                    let [town, inland, reefs] = [1, 2, 4].map(|bit| bits & bit != 0);
+                    let ground = Ground { near, beach, rugged, town, inland, reefs };
                     all.push(("land.wgsl", land::source(kind, imagery, ground)));
                 }
             };

@@ -1,4 +1,6 @@
 //! One frame as the GPU sees it. The only place that narrows positions: the eye is subtracted in f64, then f32 begins.
+//!
+//! It is long, but one thing: what a frame holds, how it is made of a view, and what passes ask of it; how its numbers come about has files of its own below.
 
 use std::iter;
 use std::sync::Arc;
