@@ -12,7 +12,7 @@ export function visit(browser, { start = startProduct } = {}) {
     /** The globe in a page of its own; options as for `Globe.open`. Its tab is the one in front, which alone draws. */
     open: (options) => Globe.open(site.browser, site.server.address, options),
     /** The globe of a link, without its panel, in a page of its own. */
-    openLink: (fragment, size) => site.open({ fragment, size, query: "?panel=off" }),
+    openLink: (fragment, size, prepare) => site.open({ fragment, size, query: "?panel=off", prepare }),
     /**
      * The globe of a link, settled and without its panel, in the page that all tests share: compiling every pipeline for a new page
      * costs more than drawing. Leave it open, and at the link.

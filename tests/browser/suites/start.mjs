@@ -7,18 +7,29 @@ import { setTimeout as sleep } from "node:timers/promises";
 import { colourAt, kindOf, shares } from "../lib/picture.mjs";
 import { COAST, FROM_ORBIT } from "../lib/views.mjs";
 
+/** In a page, before its scripts run: it does not get past looking for an adapter until `goOn()` is called. */
+function holdLoading() {
+  const goingOn = new Promise((goOn) => Object.assign(window, { goOn }));
+  const { requestAdapter } = GPU.prototype;
+  GPU.prototype.requestAdapter = async function (...options) {
+    await goingOn;
+    return requestAdapter.apply(this, options);
+  };
+}
+
 export function startTests(site) {
   /** What the page says before its first picture. */
   const loading = {};
   before(async () => {
-    site.globe = await site.openLink(FROM_ORBIT);
+    site.globe = await site.openLink(FROM_ORBIT, undefined, (page) => page.evaluateOnNewDocument(holdLoading));
     site.shown = FROM_ORBIT;
     loading.state = await site.globe.state();
     loading.status = await site.globe.page.$eval("#status", (status) => status.innerText);
-    // Firefox starts its tree of what is accessible when it is first asked for it, and that takes a moment.
-    for (const end = Date.now() + 10_000; !loading.progressBars && Date.now() < end; await sleep(50)) {
+    // Firefox starts its tree of what is accessible when it is first asked for it; on a busy machine that takes longer than a first picture.
+    for (const end = Date.now() + 60_000; !loading.progressBars && Date.now() < end; await sleep(50)) {
       loading.progressBars = await site.globe.countByRole("progressbar");
     }
+    await site.globe.page.evaluate(() => goOn());
   });
 
   test("loads without an error, asks no other host, and shows sea and land", async () => {
