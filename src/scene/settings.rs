@@ -2,7 +2,7 @@
 
 use crate::data::geoid;
 pub use crate::model::sea::SpectrumKind as Spectrum;
-use crate::model::sea_bed::USUAL_SLOPE;
+use crate::model::sea_bed::{USUAL_SLOPE, smoothstep};
 use crate::model::sea_state;
 use crate::scene::layers::{Layer, Layers};
 
@@ -239,7 +239,7 @@ pub struct Settings {
     pub layers: Layers,
     /// Optical depth of the air's aerosol at 550 nm, straight up, 0 to [`HAZIEST`]: 0.05 to 0.2 over oceans.
     pub haze: f64,
-    /// Share of the earth under clouds, 0 to 1.
+    /// Share of the earth under clouds, 0 to 1; [`USUAL_CLOUDS`]: as many as the wind brings, [`Settings::cloud_cover`].
     pub clouds: f64,
     /// The sea's water.
     pub water: Water,
@@ -249,6 +249,12 @@ pub struct Settings {
 
 /// Of water as it is measured.
 pub const USUAL_WATER_DENSITY_PER_M: f64 = 0.2;
+
+/// Share of the earth under clouds unless a link says otherwise, and in storms.
+pub const USUAL_CLOUDS: f64 = 0.45;
+const STORMY_CLOUDS: f64 = 0.98;
+/// Winds between which the one goes over into the other, m/s: from grade 8 to 12.
+const STORMY_MPS: [f64; 2] = [19.0, 32.0];
 
 impl Default for Settings {
     fn default() -> Self {
@@ -268,7 +274,7 @@ impl Default for Settings {
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,
-            clouds: 0.45,
+            clouds: USUAL_CLOUDS,
             water: Water::Auto,
             water_density_per_m: USUAL_WATER_DENSITY_PER_M,
         }
@@ -279,6 +285,15 @@ impl Settings {
     /// Speed at 10 m in m/s that drives the waves: the Beaufort grade's where one is given, else the wind's.
     pub fn wind_speed_mps(&self) -> f64 {
         self.beaufort.map_or(self.wind.speed_mps, |grade| sea_state::speed_from_beaufort(f64::from(grade)))
+    }
+
+    /// Share of the earth under clouds, 0 to 1: what is asked for, or as many as the wind brings.
+    pub fn cloud_cover(&self) -> f64 {
+        if self.clouds != USUAL_CLOUDS {
+            return self.clouds;
+        }
+        let storm = smoothstep(STORMY_MPS[0], STORMY_MPS[1], self.wind_speed_mps());
+        USUAL_CLOUDS + (STORMY_CLOUDS - USUAL_CLOUDS) * storm
     }
 
     /// The whitecaps that are drawn: none where their layer is hidden.

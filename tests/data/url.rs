@@ -117,6 +117,20 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
 }
 
 #[test]
+fn storms_bring_clouds_unless_a_link_says_how_many() {
+    let cover = |text: &str| good(text).settings.cloud_cover();
+    // Up to a gale as ever: old links look as they did.
+    for link in ["", "bft=0", "bft=8", "wind=19@250"] {
+        assert_eq!(cover(link), 0.45, "{link}");
+    }
+    let storms = [8, 9, 10, 11, 12].map(|grade| cover(&format!("bft={grade}")));
+    assert!(storms.is_sorted_by(|less, more| less < more), "{storms:?}");
+    assert!(storms[4] > 0.97, "{storms:?}");
+    assert_eq!(cover("bft=12&clouds=0.2"), 0.2);
+    assert_eq!(cover("bft=12&clouds=0"), 0.0);
+}
+
+#[test]
 fn numbers_are_clamped_and_angles_wrap() {
     let camera = |text: &str| good(text).camera;
     assert_eq!(camera("view=95,0,10"), Camera::from_degrees(90.0, 0.0, 10.0, 0.0, 0.0));

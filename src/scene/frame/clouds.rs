@@ -75,12 +75,13 @@ pub fn set_clouds(
     u.cloud_eye = DVec3::new(cos * eye.x + sin * eye.y, cos * eye.y - sin * eye.x, eye.z).as_vec3();
     let (sin, cos) = libm::sincos(camera.lon - drift);
     u.cloud_meridian = DVec2::new(cos, sin).as_vec2();
-    u.cloud_shift = clouds::shift(settings.clouds) as f32;
-    let shown = settings.clouds > 0.0 && settings.layers.shows(Layer::Clouds) && settings.layers.shows(Layer::Sky);
+    let cover = settings.cloud_cover();
+    u.cloud_shift = clouds::shift(cover) as f32;
+    let shown = cover > 0.0 && settings.layers.shows(Layer::Clouds) && settings.layers.shows(Layer::Sky);
     let weather = clouds::weather(unix_seconds);
     if shown {
         let towards = u.cloud_eye.as_dvec3().normalize();
-        let share = overcast::share(towards, &weather, settings.clouds);
+        let share = overcast::share(towards, &weather, cover);
         let risen = |from: f64, to: f64| ((camera.altitude_m - from) / (to - from)).clamp(0.0, 1.0);
         let below = 1.0 - risen(ABOVE_THEM_M[0], ABOVE_THEM_M[1]);
         let [from, to, half] = OVER_THEM_M;
