@@ -19,6 +19,7 @@ const LOT_LEVEL = 19u;                  // cells of 21 m at the equator, 15 m at
 const LOT_TURNS = array<vec2i, 4>(vec2i(3, 2), vec2i(3, -1), vec2i(2, 3), vec2i(4, 1));  // so in districts of about a kilometre
 const BLOCK = vec2u(7u, 3u);            // in bits: lots of a block and the street beside it, less one
 const LOTS_CROSSED = 9u;                // that a sight crosses at most
+const LOTS_AROUND = 8.0;                // farther away none is seen before a place
 const LOT_CROSSED_MOST = 5.0;           // how far, in lots, a sight goes while it sinks by the highest house's height, at most
 const HOUSES = vec2f(0.55, 0.97);       // share of the lots of villages and of cities' hearts that have one
 const APART = vec2f(0.17, 0.03);        // and how far these stand from their lots' edges, of a lot
@@ -45,7 +46,7 @@ const LAMP_LIGHT = 0.045;               // of their lamps, of the sun's irradian
 const WINDOW_LIGHT = 0.012;             // and of lit windows
 const LIT_TOWNS = vec2f(0.6, 1.5);             // how much of that towns have, and the midst of great cities
 const LAMPS = 0.11;                     // radius of what a lamp lights brightest, of a lot
-const MEAN_WALLS = 0.13;                // of what is seen of towns, a mean
+const MEAN_WALLS = 0.19;                // of what is seen of towns, a mean
 const MEAN_SUN = 0.66;                  // of the sun's light on level ground, what houses, walls and streets have of it where they do not show
 const MEAN_SKY = 0.88;                  // and of the sky's
 
@@ -54,37 +55,55 @@ fn town_texel(level: u32, at: vec2u) -> f32 {
     return f32((towns.texels[index >> 2u] >> (8u * (index & 3u))) & 255u) / 255.0;
 }
 
-// How far a place is in towns by a window, and how near to its edge, texels.
-fn town_window(level: u32, at: vec2u) -> vec2f {
+// How far a place is in towns by a window, how that rises right and down on the map, of a texel, and how near the window's edge is, texels.
+struct TownWindow { told: f32, rise: vec2f, edge: f32 }
+
+fn town_window(level: u32, at: vec2u) -> TownWindow {
     let shift = select(TOWN_SHIFTS.x, TOWN_SHIFTS.y, level == 1u);
     let from_corner = at - towns.corners[level] - (1u << (shift - 1u));
     let cell = from_corner >> vec2u(shift);
     let inside = all(cell < vec2u(TOWN_SIDE - 1u));
     let a = min(cell, vec2u(TOWN_SIDE - 2u));
     let f = vec2f(from_corner & vec2u((1u << shift) - 1u)) / f32(1u << shift);
-    let top = mix(town_texel(level, a), town_texel(level, a + vec2u(1u, 0u)), f.x);
-    let bottom = mix(town_texel(level, a + vec2u(0u, 1u)), town_texel(level, a + vec2u(1u)), f.x);
+    let top = vec2f(town_texel(level, a), town_texel(level, a + vec2u(1u, 0u)));
+    let bottom = vec2f(town_texel(level, a + vec2u(0u, 1u)), town_texel(level, a + vec2u(1u)));
+    let told = mix(mix(top.x, top.y, f.x), mix(bottom.x, bottom.y, f.x), f.y);
+    let rise = vec2f(mix(top.y - top.x, bottom.y - bottom.x, f.y), mix(bottom.x - top.x, bottom.y - top.y, f.x));
     let edge = vec2f(min(a, TOWN_SIDE - 2u - a));
-    return select(vec2f(0.0), vec2f(mix(top, bottom, f.y), min(edge.x, edge.y)), inside);
+    if !inside { return TownWindow(0.0, vec2f(0.0), 0.0); }
+    return TownWindow(told, rise, min(edge.x, edge.y));
 }
+
+// Where houses end: values that are positive at a place that may have one, of the town, of its parks, of the beach, metres, and of slopes; and how these rise right and
+// down on the map, of a metre. A house stands whole or not at all, by the values at its lot's middle.
+struct TownEdges { values: vec4f, right: vec4f, down: vec4f }
 
 // How much of the ground is built up, how much lies in a town, parks too, and how densely and how high it is built, each from 0 to 1; the height that no
 // house has more of, in lots.
-struct BuiltUp { share: f32, within: f32, dense: f32, tall: f32, most: f32 }
+struct BuiltUp { share: f32, within: f32, dense: f32, tall: f32, most: f32, edges: TownEdges }
 
-const NOT_BUILT_UP = BuiltUp(0.0, 0.0, 0.0, 0.0, 0.0);
+const NO_EDGES = TownEdges(vec4f(-1.0), vec4f(0.0), vec4f(0.0));
+const NOT_BUILT_UP = BuiltUp(0.0, 0.0, 0.0, 0.0, 0.0, NO_EDGES);
 
 fn built_up(at: vec2u, slope: f32, footprint: Metres) -> BuiltUp {
     let fine = town_window(0u, at);
     let coarse = town_window(1u, at);
-    let told = mix(coarse.x * saturate(coarse.y / TOWN_FADES), fine.x, saturate(fine.y / TOWN_FADES));
-    let wide = map_noise_rise(at, 14u, 95u).x;
-    let narrow = map_noise_rise(at, 16u, 96u).x;
-    let parks = smoothstep(PARKS.y, PARKS.x, map_noise_rise(at, 15u, 97u).x);
-    let inside = told - TOWN_EDGE.x + TOWN_EDGE.y * wide + TOWN_EDGE.z * narrow;
+    let is_fine = saturate(fine.edge / TOWN_FADES);
+    let told = mix(coarse.told * saturate(coarse.edge / TOWN_FADES), fine.told, is_fine);
+    let wide = map_noise_rise(at, 14u, 95u);
+    let narrow = map_noise_rise(at, 16u, 96u);
+    let park = map_noise_rise(at, 15u, 97u);
+    let inside = told - TOWN_EDGE.x + TOWN_EDGE.y * wide.x + TOWN_EDGE.z * narrow.x;
     let within = smoothstep(0.0, 0.05, inside) * smoothstep(0.0, 0.08, told) * smoothstep(TOWNS_SEEN.x, TOWNS_SEEN.y, footprint);
-    let share = within * parks * smoothstep(BUILT_SLOPES.x, BUILT_SLOPES.y, slope);
-    return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow), HIGH.z);
+    let level = smoothstep(BUILT_SLOPES.x, BUILT_SLOPES.y, slope);
+    let share = within * smoothstep(PARKS.y, PARKS.x, park.x) * level;
+    // A unit of the map is so wide.
+    let unit = EARTH_TURN * max(frame.cos_lat, 0.1) / 4294967296.0;
+    let town_rise = (is_fine * fine.rise / exp2(f32(TOWN_SHIFTS.x)) + TOWN_EDGE.y * wide.yz / exp2(18.0) + TOWN_EDGE.z * narrow.yz / exp2(16.0)) / unit;
+    let park_rise = -park.yz / (exp2(17.0) * unit);
+    let values = vec4f(inside - 0.025, 0.5 * (PARKS.x + PARKS.y) - park.x, 0.0, level - 0.5);
+    let edges = TownEdges(values, vec4f(town_rise.x, park_rise.x, 0.0, 0.0), vec4f(town_rise.y, park_rise.y, 0.0, 0.0));
+    return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow.x), HIGH.z, edges);
 }
 
 // How a district's lots are turned.
@@ -96,12 +115,14 @@ fn lots_turn(at: vec2u) -> vec2i {
 // What stands on a lot: height in lots, none on streets and in gardens, and its random word.
 struct Lot { height: f32, street: bool, word: u32 }
 
-fn lot_of(at: vec2u, town: BuiltUp) -> Lot {
+// `way`: how far, in lots, its middle lies from the place that `town` tells of, whose edges are the lattice's.
+fn lot_of(at: vec2u, way: vec2f, town: BuiltUp) -> Lot {
     let cell = at & vec2u((1u << LOT_LEVEL) - 1u);
     let word = hash(vec3u(cell, 98u));
     let street = any((cell & BLOCK) == vec2u(0u));
     let u = f32((word >> 8u) & 255u) / 255.0;
-    let stands = f32(word & 255u) < 255.0 * mix(HOUSES.x, HOUSES.y, town.dense);
+    let edges = town.edges;
+    let stands = (f32(word & 255u) < 255.0 * mix(HOUSES.x, HOUSES.y, town.dense)) & all(edges.values + way.x * edges.right + way.y * edges.down > vec4f(0.0));
     let few = u * u * u * u;
     let high = mix(HIGH.x * (0.5 + 0.5 * u), mix(HIGH.y, HIGH.z, town.tall) * (0.16 + 0.25 * u + 0.59 * few * u * u), town.dense * town.dense);
     return Lot(select(0.0, min(high, town.most), stands && !street), street, word);
@@ -114,8 +135,15 @@ fn roof_of(word: u32, tiled: f32) -> vec3f {
     return select(grey, TILES * (0.65 + 0.7 * u), f32(word >> 24u) < 255.0 * tiled);
 }
 
-// Of built-up ground: its albedo; how much of it is no garden; how much of the sun's and the sky's light on level ground it has; what it shines by night.
-struct Houses { albedo: vec3f, cover: f32, sun: f32, sky: f32, shines: vec3f }
+// What walls reflect, of their mean: plaster, sandstone, brick and glass.
+const WALL_KINDS = array<vec3f, 4>(vec3f(1.30, 1.30, 1.28), vec3f(1.12, 1.06, 0.96), vec3f(0.88, 0.72, 0.64), vec3f(0.70, 0.92, 1.12));
+const ROOF_GABLE = 0.7;                      // how steep tiled roofs are
+const ROOF_RIM = vec2f(0.05, 1.2);           // how wide flat roofs' rims are, of a lot, and how bright, of the roof;
+const ON_ROOF = vec3f(0.3, 0.13, 0.5);  // what stands on them: how far from a lot's edge at least, half its width, and how bright
+
+// Of built-up ground: its albedo; how much of it is no garden; how far a house stands there for certain; how much of the sun's and the sky's light on level ground it
+// has; what it shines by night.
+struct Houses { albedo: vec3f, cover: f32, stands: f32, sun: f32, sky: f32, shines: vec3f }
 
 // How far lamps are lit where it is day or night.
 fn lamps_lit(up: vec3f) -> f32 {
@@ -131,14 +159,19 @@ fn tiled_at(at: vec2u, sin_lat: f32) -> f32 {
 }
 
 // `sight` and `sun`: how far these move right and down on the map while they sink by one; `eye`: how high it is above the ground, which is no more than a
-// picture: no house is higher than most of that; `across`: of a pixel that faces the eye; `nothing`: whether none is there.
-fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, eye: Metres, across: Metres, nothing: bool) -> Houses {
+// picture: no house is higher than most of that; `across`: of a pixel that faces the eye; `may_stand`: whether any may be there.
+fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_on_map: vec2f, eye: Metres, across: Metres, may_stand: bool) -> Houses {
     var town = built;
     let turn = lots_turn(p.at);
     let dense = town.dense;
     let lot_width = EARTH_TURN * max(frame.cos_lat, 0.1) / (exp2(f32(LOT_LEVEL)) * length(vec2f(turn)));
     town.most = UNDER_EYE * max(eye, 0.0) / lot_width;
     let top = max(min(mix(HIGH.x, mix(HIGH.y, HIGH.z, town.tall), dense * dense), town.most), 0.01);
+    let to_right = in_lattice(vec2f(1.0, 0.0), turn) * lot_width;
+    let down = in_lattice(vec2f(0.0, 1.0), turn) * lot_width;
+    town.edges.right = built.edges.right * to_right.x + built.edges.down * down.x;
+    town.edges.down = built.edges.right * to_right.y + built.edges.down * down.y;
+    let nothing = !may_stand | any(town.edges.values + LOTS_AROUND * (abs(town.edges.right) + abs(town.edges.down)) < vec4f(0.0));
     let sight = sight_in_lattice(sight_on_map, turn, top, LOT_CROSSED_MOST);
     let sun = in_lattice(sun_on_map, turn);
     let stands = celled(p, turn, LOT_LEVEL);
@@ -149,12 +182,13 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     let apart = mix(APART.x, APART.y, dense);
     // From the lot where the sight comes in at the height of the highest to that of the place.
     var walk = walk_from(f - sight * top, sight);
-    var lot = lot_of(own, town);
+    let middle = 0.5 - f;
+    var lot = lot_of(own, middle, town);
     var met = 0.0;
     var wall = vec2f(0.0);
     var i = 0u;
     loop {
-        let other = lot_of(own + bitcast<vec2u>(vec2i(walk.cell)), town);
+        let other = lot_of(own + bitcast<vec2u>(vec2i(walk.cell)), walk.cell + middle, town);
         // The sight is at f - sight h where it is h high: over the house from the lower to the higher of these.
         let safe = select(sight, vec2f(1e-4), abs(sight) < vec2f(1e-4));
         let one = (f - walk.cell - apart) / safe;
@@ -173,7 +207,7 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
         i++;
         if nothing || sees > LOTS_HIDDEN.y || is_met || is_last || i >= LOTS_CROSSED { break; }
     }
-    let is_house = met > 0.0;
+    let is_house = (met > 0.0) & !nothing;
     let here = f - sight * met;
     // A house before the sun.
     var lit = 1.0;
@@ -181,20 +215,36 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
         let over = f32(k * k) * 0.09 * top;
         let place = here - sun * over;
         let inside = abs(fract(place) - 0.5) < vec2f(0.5 - apart);
-        let shades = (lot_of(own + bitcast<vec2u>(vec2i(floor(place))), town).height > met + over) & all(inside);
+        let shades = (lot_of(own + bitcast<vec2u>(vec2i(floor(place))), floor(place) + middle, town).height > met + over) & all(inside);
         lit = select(lit, 0.0, shades);
     }
     let on_wall = any(wall != vec2f(0.0));
     let faces = clamp(-dot(sun, wall), 0.0, 1.5);
     let roof = roof_of(lot.word, tiled);
-    var albedo = select(select(ASPHALT, roof, is_house), mix(WALLS, roof, 0.3), on_wall);
+    // Low roofs are gables along one way or the other; flat ones have rims, and something stands on them.
+    let closely = 1.0 - smoothstep(0.04, 0.16, sees);
+    let in_lot = fract(here) - 0.5;
+    let along_x = (lot.word & 4u) == 0u;
+    let is_gable = (lot.height < 0.7) & (f32(lot.word >> 24u) < 255.0 * tiled);
+    let leans = select(select(0.0, sign(in_lot.x), !along_x) * sun.x, sign(in_lot.y) * sun.y, along_x);
+    let gable = clamp((1.0 - ROOF_GABLE * leans) / sqrt(1.0 + ROOF_GABLE * ROOF_GABLE), 0.0, 1.8);
+    let is_rim = max(abs(in_lot.x), abs(in_lot.y)) > 0.5 - apart - ROOF_RIM.x;
+    let box_at = (ON_ROOF.x - 0.5) + (1.0 - 2.0 * ON_ROOF.x) * vec2f(vec2u(lot.word >> 10u, lot.word >> 13u) & vec2u(7u)) / 7.0;
+    let is_on_roof = all(abs(in_lot - box_at) < vec2f(ON_ROOF.y));
+    let furnished = mix(1.0, select(select(1.0, ON_ROOF.z, is_on_roof), ROOF_RIM.y, is_rim), closely);
+    let is_roof = is_house & !on_wall;
+    let bits = (vec4u(lot.word) >> vec4u(6u, 7u, 20u, 21u) & vec4u(1u)) == vec4u(1u);
+    let walls = WALLS * select(select(WALL_KINDS[0], WALL_KINDS[1], bits.x), select(WALL_KINDS[2], WALL_KINDS[3], bits.x), bits.y);
+    var albedo = select(select(ASPHALT, roof * select(furnished, 1.0, is_gable), is_house), walls, on_wall);
     // Its windows: how high, how far along.
     let along = dot(fract(here), abs(wall.yx));
     let pane = vec2f(met, along) * WINDOWS;
-    let in_glass = all(abs(fract(pane) - 0.5) < vec2f(0.5 * sqrt(GLASS.x)));
+    // Panes apart, bands of them, or strips.
+    let of_panes = select(vec2f(sqrt(GLASS.x)), select(vec2f(GLASS.x, 1.0), vec2f(1.0, GLASS.x), bits.z), bits.w);
+    let in_glass = all(abs(fract(pane) - 0.5) < 0.5 * of_panes);
     let glazed = mix(1.0 - GLASS.x * (1.0 - GLASS.y), select(1.0, GLASS.y, in_glass), smoothstep(WINDOWS_SEEN.x, WINDOWS_SEEN.y, sees));
     albedo *= select(1.0, glazed, on_wall);
-    let sunlit = mix(BOUNCES, 1.0, lit * select(1.0, faces, on_wall));
+    let sunlit = mix(BOUNCES, 1.0, lit * select(select(1.0, gable, is_roof & is_gable), faces, on_wall));
     let sky = select(select(STREET_SKY, 1.0, is_house), WALL_SKY, on_wall);
     // A garden, where neither house nor street is.
     let paved = select(select(PAVED_YARDS * dense, 1.0, lot.street), 1.0, is_house);
@@ -215,5 +265,5 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     let shining = select(on_street * warmth, vec3f(1.0, 0.8, 0.55) * select(0.0, WINDOW_LIGHT, (window & 3u) == 0u), on_wall);
     let mean_shining = (STREETS * (STREET_LIGHT + 0.5 * LAMP_LIGHT * PI * LAMPS * LAMPS) + 0.02 * WINDOW_LIGHT) * warmth;
     let shines = toned * toned * toned * mix(0.25, 1.0, dense) * mix(LIT_TOWNS.x, LIT_TOWNS.y, town.tall) * mix(mean_shining, shining, whole);
-    return Houses(toned * mix(mean_albedo, albedo, whole), mix(mean_cover, paved, whole), mix(MEAN_SUN, sunlit, whole), mix(MEAN_SKY, sky, whole), shines);
+    return Houses(toned * mix(mean_albedo, albedo, whole), mix(mean_cover, paved, whole), select(0.0, whole, is_house), mix(MEAN_SUN, sunlit, whole), mix(MEAN_SKY, sky, whole), shines);
 }

@@ -194,7 +194,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             // Woods and grass hang over the water here, where the shore is steep or rock, and there is a beach or bare rock there.
             let open_shore = smoothstep(-0.12, 0.2, map_noise_rise(point.at, 15u, 87u).x + 0.7 * map_noise_rise(point.at, 17u, 88u).x);
             usual_width *= mix(1.0, mix(OVERHUNG_WIDTH, OPEN_WIDTH, open_shore), max(all_woods, 0.8 * max(rocky, hard)) * kind_seen);
-            let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach_width(point.at, usual_width);
+            let beach = beach_width(point.at, usual_width);
+            let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach;
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);
             grown = overgrown(inland, detail.tone + 2.5 * grain.tone, footprint) * mix(SPARSE_GRASS, 1.0, smoothstep(0.9, 2.0, frayed));
@@ -216,19 +217,25 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             albedo = mix(albedo, ROCK * mix(1.0, OVERGROWN_ROCK, holds) * max(1.0 + ROCK_LAYERS * wall.layers - ROCK_STREAKS * wall.streaks, 0.3), rock);
             albedo = mix(albedo * mix(1.0, WOODED, green * towers), wall.albedo, bare_wall);
             var hidden = bare_wall;
+            var house = 0.0;
             if TOWN {
                 let share = select(built.share, 0.0, is_bed) * (1.0 - rock);
-                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, sinks * distance, across, share <= 0.0);
-                let paved = share * town.cover;
+                built.edges.values.z = (inland - 1.0) * beach;
+                built.edges.right.z = -ground.shore_rise.x;
+                built.edges.down.z = -ground.shore_rise.y;
+                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, sinks * distance, across, !is_bed);
+                let stands = select(town.stands, 0.0, is_bed);
+                let paved = max(share * town.cover, stands);
                 albedo = mix(albedo, town.albedo, paved);
                 hidden = max(hidden, paved);
                 town_light = mix(vec2f(1.0), vec2f(town.sun, town.sky), paved);
-                shines = share * lamps_lit(up) * town.shines;
+                shines = max(share, stands) * lamps_lit(up) * town.shines;
+                house = stands;
             }
             rises *= 1.0 - hidden;
             standing.cover *= 1.0 - hidden;
             standing.shade *= 1.0 - hidden;
-            grown = max(grown, 0.85 * standing.cover);
+            grown = max(grown, max(0.85 * standing.cover, house));
         }
     } else if !is_apart {
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
