@@ -4,8 +4,6 @@
 #import rugged
 
 const SPRAY = true;
-const CLOUDS = false;          // nothing is asked of the spray's light
-const MIRRORS_CLOUDS = false;
 const MOST: f32 = 2.5;         // of a spot, as the display's tone takes it: a near lamp stands for many
 const POST: Metres = 15.0;     // how high lamps stand over the ground
 const SHORE: Metres = 300.0;   // how far from the shore all lamps of a town stand

@@ -220,12 +220,18 @@ impl Panel {
         self.widgets.note("haze", &haze);
         haze.on_hover_text("Optical depth of the aerosol: 0.05 far out, 0.1 near shores, 0.2 in smoke");
         let mut cover = settings.cloud_cover();
-        let clouds = ui.add(Slider::new(&mut cover, 0.0..=1.0).custom_formatter(digits(2)).text("clouds"));
-        if clouds.changed() {
-            settings.clouds = cover;
-        }
-        self.widgets.note("clouds", &clouds);
-        clouds.on_hover_text("Share of the earth under clouds; more in storms unless you say");
+        ui.horizontal(|ui| {
+            let clouds = ui.add(Slider::new(&mut cover, 0.0..=1.0).custom_formatter(digits(2)).text("clouds"));
+            if clouds.changed() {
+                settings.clouds = Some(cover);
+            }
+            self.widgets.note("clouds", &clouds);
+            clouds.on_hover_text("Share of the earth under clouds");
+            let by_wind = "As many as the wind brings: more in storms";
+            if settings.clouds.is_some() && ui.small_button("auto").on_hover_text(by_wind).clicked() {
+                settings.clouds = None;
+            }
+        });
         let name = |water| Water::ALL.iter().find(|(kind, _)| *kind == water).map_or("", |(_, name)| *name);
         let combo = egui::ComboBox::from_label("water").selected_text(name(settings.water)).show_ui(ui, |ui| {
             for (water, name) in Water::ALL {

@@ -19,7 +19,7 @@ const LOT_LEVEL = 19u;                  // cells of 21 m at the equator, 15 m at
 const LOT_TURNS = array<vec2i, 4>(vec2i(3, 2), vec2i(3, -1), vec2i(2, 3), vec2i(4, 1));  // so in districts of about a kilometre
 const BLOCK = vec2u(7u, 3u);            // in bits: lots of a block and the street beside it, less one
 const LOTS_CROSSED = 9u;                // that a sight crosses at most
-const LOTS_AROUND = 8.0;                // farther away none is seen before a place
+const LOTS_AROUND = 8.0;                // farther away none is seen before a place, nor is its shadow
 const LOT_CROSSED_MOST = 5.0;           // how far, in lots, a sight goes while it sinks by the highest house's height, at most
 const HOUSES = vec2f(0.55, 0.97);       // share of the lots of villages and of cities' hearts that have one
 const APART = vec2f(0.17, 0.03);        // and how far these stand from their lots' edges, of a lot
@@ -36,7 +36,8 @@ const WALLS = vec3f(0.25, 0.235, 0.21);
 const LOTS_HIDDEN = vec2f(0.45, 1.1);   // widths of pixels, of a lot, between which no house shows any more
 const WINDOWS = vec2f(5.0, 4.0);        // floors and windows of a wall to a lot,
 const GLASS = vec2f(0.42, 0.5);         // how much of each they take, and what they reflect of what the wall does
-const WINDOWS_SEEN = vec2f(0.16, 0.06); // widths of pixels that show none and all of them, of a lot
+const GLASS_BANDS = vec2f(0.80, 0.70);  // and in strips from floor to floor and in bands
+const WINDOWS_SEEN = vec2f(0.1, 0.03);  // widths of pixels that show none and all of them, of a lot
 const BOUNCES = 0.16;                   // of the sun's light, what houses throw into each other's shadow
 const WALL_SKY = 0.8;                   // of the sky's light, that of walls,
 const STREET_SKY = 0.85;                // and of streets and yards between houses
@@ -46,7 +47,7 @@ const LAMP_LIGHT = 0.045;               // of their lamps, of the sun's irradian
 const WINDOW_LIGHT = 0.012;             // and of lit windows
 const LIT_TOWNS = vec2f(0.6, 1.5);             // how much of that towns have, and the midst of great cities
 const LAMPS = 0.11;                     // radius of what a lamp lights brightest, of a lot
-const MEAN_WALLS = 0.19;                // of what is seen of towns, a mean
+const MEAN_WALLS = 0.20;                // of what is seen of towns, a mean
 const MEAN_SUN = 0.66;                  // of the sun's light on level ground, what houses, walls and streets have of it where they do not show
 const MEAN_SKY = 0.88;                  // and of the sky's
 
@@ -75,7 +76,7 @@ fn town_window(level: u32, at: vec2u) -> TownWindow {
 }
 
 // Where houses end: values that are positive at a place that may have one, of the town, of its parks, of the beach, metres, and of slopes; and how these rise right and
-// down on the map, of a metre. A house stands whole or not at all, by the values at its lot's middle.
+// down on the map, of a metre. A house stands whole or not at all, by the values at its lot's middle, as far as these rise evenly.
 struct TownEdges { values: vec4f, right: vec4f, down: vec4f }
 
 // How much of the ground is built up, how much lies in a town, parks too, and how densely and how high it is built, each from 0 to 1; the height that no
@@ -99,10 +100,14 @@ fn built_up(at: vec2u, slope: f32, footprint: Metres) -> BuiltUp {
     let share = within * smoothstep(PARKS.y, PARKS.x, park.x) * level;
     // A unit of the map is so wide.
     let unit = EARTH_TURN * max(frame.cos_lat, 0.1) / 4294967296.0;
-    let town_rise = (is_fine * fine.rise / exp2(f32(TOWN_SHIFTS.x)) + TOWN_EDGE.y * wide.yz / exp2(18.0) + TOWN_EDGE.z * narrow.yz / exp2(16.0)) / unit;
+    // Noise alone makes no town.
+    let is_told = told - 0.04 < inside - 0.025;
+    let told_rise = is_fine * fine.rise / (exp2(f32(TOWN_SHIFTS.x)) * unit);
+    // That of coarse texels is as good as none.
+    let rise = told_rise + select((TOWN_EDGE.y * wide.yz / exp2(18.0) + TOWN_EDGE.z * narrow.yz / exp2(16.0)) / unit, vec2f(0.0), is_told);
     let park_rise = -park.yz / (exp2(17.0) * unit);
-    let values = vec4f(inside - 0.025, 0.5 * (PARKS.x + PARKS.y) - park.x, 0.0, level - 0.5);
-    let edges = TownEdges(values, vec4f(town_rise.x, park_rise.x, 0.0, 0.0), vec4f(town_rise.y, park_rise.y, 0.0, 0.0));
+    let values = vec4f(min(inside - 0.025, told - 0.04), 0.5 * (PARKS.x + PARKS.y) - park.x, 0.0, level - 0.5);
+    let edges = TownEdges(values, vec4f(rise.x, park_rise.x, 0.0, 0.0), vec4f(rise.y, park_rise.y, 0.0, 0.0));
     return BuiltUp(share, within, smoothstep(0.1, 0.75, inside), smoothstep(DOWNTOWN.x, DOWNTOWN.y, told + 0.3 * narrow.x), HIGH.z, edges);
 }
 
@@ -112,8 +117,8 @@ fn lots_turn(at: vec2u) -> vec2i {
     return select(select(LOT_TURNS[0], LOT_TURNS[1], side.x), select(LOT_TURNS[2], LOT_TURNS[3], side.x), side.y);
 }
 
-// What stands on a lot: height in lots, none on streets and in gardens, and its random word.
-struct Lot { height: f32, street: bool, word: u32 }
+// What stands on a lot: height in lots, none on streets and in gardens, its random word, and how high it would be before a low eye.
+struct Lot { height: f32, street: bool, word: u32, full: f32 }
 
 // `way`: how far, in lots, its middle lies from the place that `town` tells of, whose edges are the lattice's.
 fn lot_of(at: vec2u, way: vec2f, town: BuiltUp) -> Lot {
@@ -125,7 +130,7 @@ fn lot_of(at: vec2u, way: vec2f, town: BuiltUp) -> Lot {
     let stands = (f32(word & 255u) < 255.0 * mix(HOUSES.x, HOUSES.y, town.dense)) & all(edges.values + way.x * edges.right + way.y * edges.down > vec4f(0.0));
     let few = u * u * u * u;
     let high = mix(HIGH.x * (0.5 + 0.5 * u), mix(HIGH.y, HIGH.z, town.tall) * (0.16 + 0.25 * u + 0.59 * few * u * u), town.dense * town.dense);
-    return Lot(select(0.0, min(high, town.most), stands && !street), street, word);
+    return Lot(select(0.0, min(high, town.most), stands && !street), street, word, high);
 }
 
 // Its roof's albedo; `tiled`: which share is red.
@@ -136,10 +141,11 @@ fn roof_of(word: u32, tiled: f32) -> vec3f {
 }
 
 // What walls reflect, of their mean: plaster, sandstone, brick and glass.
-const WALL_KINDS = array<vec3f, 4>(vec3f(1.30, 1.30, 1.28), vec3f(1.12, 1.06, 0.96), vec3f(0.88, 0.72, 0.64), vec3f(0.70, 0.92, 1.12));
-const ROOF_GABLE = 0.7;                      // how steep tiled roofs are
-const ROOF_RIM = vec2f(0.05, 1.2);           // how wide flat roofs' rims are, of a lot, and how bright, of the roof;
-const ON_ROOF = vec3f(0.3, 0.13, 0.5);  // what stands on them: how far from a lot's edge at least, half its width, and how bright
+const WALL_KINDS = array<vec3f, 4>(vec3f(1.20, 1.20, 1.18), vec3f(1.10, 1.05, 0.97), vec3f(0.90, 0.83, 0.77), vec3f(0.80, 0.92, 1.08));
+const TILED_TO = 1.3;                   // height of the highest houses with tiled roofs, in lots,
+const ROOF_GABLE = 0.7;                 // and how steep these are
+const ROOF_RIM = vec2f(0.05, 1.2);      // how wide flat roofs' rims are, of a lot, and how bright, of the roof;
+const ON_ROOF = vec3f(0.3, 0.13, 0.5);  // what stands on half of them: how far their middle is from a lot's edge at least, half their width, and how bright
 
 // Of built-up ground: its albedo; how much of it is no garden; how far a house stands there for certain; how much of the sun's and the sky's light on level ground it
 // has; what it shines by night.
@@ -171,6 +177,8 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     let down = in_lattice(vec2f(0.0, 1.0), turn) * lot_width;
     town.edges.right = built.edges.right * to_right.x + built.edges.down * down.x;
     town.edges.down = built.edges.right * to_right.y + built.edges.down * down.y;
+    // All of a house is behind the beach.
+    town.edges.values.z -= (0.5 - APART.y) * lot_width;
     let nothing = !may_stand | any(town.edges.values + LOTS_AROUND * (abs(town.edges.right) + abs(town.edges.down)) < vec4f(0.0));
     let sight = sight_in_lattice(sight_on_map, turn, top, LOT_CROSSED_MOST);
     let sun = in_lattice(sun_on_map, turn);
@@ -220,20 +228,22 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     }
     let on_wall = any(wall != vec2f(0.0));
     let faces = clamp(-dot(sun, wall), 0.0, 1.5);
-    let roof = roof_of(lot.word, tiled);
-    // Low roofs are gables along one way or the other; flat ones have rims, and something stands on them.
+    let may_be_tiled = select(0.0, tiled, lot.full < TILED_TO);
+    let roof = roof_of(lot.word, may_be_tiled);
+    // Tiled roofs are gables along one way or the other; flat ones have rims, and something stands on them.
+    let kind = hash(vec3u(lot.word, 97u, 0u));
     let closely = 1.0 - smoothstep(0.04, 0.16, sees);
     let in_lot = fract(here) - 0.5;
-    let along_x = (lot.word & 4u) == 0u;
-    let is_gable = (lot.height < 0.7) & (f32(lot.word >> 24u) < 255.0 * tiled);
-    let leans = select(select(0.0, sign(in_lot.x), !along_x) * sun.x, sign(in_lot.y) * sun.y, along_x);
+    let along_x = (kind & 4u) == 0u;
+    let is_gable = f32(lot.word >> 24u) < 255.0 * may_be_tiled;
+    let leans = select(sign(in_lot.x) * sun.x, sign(in_lot.y) * sun.y, along_x);
     let gable = clamp((1.0 - ROOF_GABLE * leans) / sqrt(1.0 + ROOF_GABLE * ROOF_GABLE), 0.0, 1.8);
     let is_rim = max(abs(in_lot.x), abs(in_lot.y)) > 0.5 - apart - ROOF_RIM.x;
-    let box_at = (ON_ROOF.x - 0.5) + (1.0 - 2.0 * ON_ROOF.x) * vec2f(vec2u(lot.word >> 10u, lot.word >> 13u) & vec2u(7u)) / 7.0;
-    let is_on_roof = all(abs(in_lot - box_at) < vec2f(ON_ROOF.y));
+    let box_at = (ON_ROOF.x - 0.5) + (1.0 - 2.0 * ON_ROOF.x) * vec2f(vec2u(kind >> 10u, kind >> 13u) & vec2u(7u)) / 7.0;
+    let is_on_roof = all(abs(in_lot - box_at) < vec2f(ON_ROOF.y)) & ((kind & 8u) != 0u);
     let furnished = mix(1.0, select(select(1.0, ON_ROOF.z, is_on_roof), ROOF_RIM.y, is_rim), closely);
     let is_roof = is_house & !on_wall;
-    let bits = (vec4u(lot.word) >> vec4u(6u, 7u, 20u, 21u) & vec4u(1u)) == vec4u(1u);
+    let bits = (vec4u(kind) >> vec4u(16u, 17u, 20u, 21u) & vec4u(1u)) == vec4u(1u);
     let walls = WALLS * select(select(WALL_KINDS[0], WALL_KINDS[1], bits.x), select(WALL_KINDS[2], WALL_KINDS[3], bits.x), bits.y);
     var albedo = select(select(ASPHALT, roof * select(furnished, 1.0, is_gable), is_house), walls, on_wall);
     // Its windows: how high, how far along.
@@ -242,7 +252,8 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     // Panes apart, bands of them, or strips.
     let of_panes = select(vec2f(sqrt(GLASS.x)), select(vec2f(GLASS.x, 1.0), vec2f(1.0, GLASS.x), bits.z), bits.w);
     let in_glass = all(abs(fract(pane) - 0.5) < 0.5 * of_panes);
-    let glazed = mix(1.0 - GLASS.x * (1.0 - GLASS.y), select(1.0, GLASS.y, in_glass), smoothstep(WINDOWS_SEEN.x, WINDOWS_SEEN.y, sees));
+    let reflects = select(GLASS.y, select(GLASS_BANDS.x, GLASS_BANDS.y, bits.z), bits.w);
+    let glazed = mix(1.0 - GLASS.x * (1.0 - reflects), select(1.0, reflects, in_glass), smoothstep(WINDOWS_SEEN.x, WINDOWS_SEEN.y, sees));
     albedo *= select(1.0, glazed, on_wall);
     let sunlit = mix(BOUNCES, 1.0, lit * select(select(1.0, gable, is_roof & is_gable), faces, on_wall));
     let sky = select(select(STREET_SKY, 1.0, is_house), WALL_SKY, on_wall);

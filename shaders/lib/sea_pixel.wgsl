@@ -26,6 +26,7 @@
 @group(2) @binding(1) var scene_depth: texture_depth_2d;
 
 const MIRRORS_CLOUDS = FINE;
+const SPRAY_AMID = vec2f(5.0, 20.0);   // heights of an eye, of the spray's, between which it is no longer under the same clouds as the spray that it sees
 const FARTHEST_SURFACE: Metres = 1000.0;
 const MIRROR_PIXELS = 2.0;     // seen from below waves are as long as so many pixels, at least
 const LONGEST = 1000.0;        // of a pixel on grazed water, of its width
@@ -225,7 +226,15 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
         driven = driven_spray(foam_at, along_streaks, grazing, distance, ground.ocean_shore);
         driven = spray_on_crests(driven, 4.0 * in.height / max(height * frame.wave_height, 0.01), crests_kept(footprint));
     }
-    var radiance = through_spray(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, up, direction, distance, driven);
+    // What thick spray hides may lie under other clouds than its near side.
+    var near = light;
+    if SPRAY && CLOUDS && FINE {
+        let hidden = (1.0 - exp(-spray_depth(direction.z, distance))) * smoothstep(SPRAY_AMID.y, SPRAY_AMID.x, frame.eye_altitude / spray_height());
+        let clear = daylight_at(frame.light.z);
+        near.sun = mix(light.sun, (1.0 - cover_at_eye()) * clear.sun, hidden);
+        near.sky = mix(light.sky, clouded_daylight_at_eye(clear).sky, hidden);
+    }
+    var radiance = through_spray(mix(behind, water, select(1.0, covers, ground.is_ocean)), light, near, up, direction, distance, driven);
     if !ground.is_ocean { radiance = mix(behind, radiance, covers); }
     if limb.share < 1.0 {
         // The scene under the limb is the sea's bed: what is beyond stands beside it.

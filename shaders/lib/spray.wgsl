@@ -1,7 +1,6 @@
 // Spray that strong winds tear off crests: white air near the water, thinner with height; src/model/spray.rs has the numbers. Beyond it
 // is the air itself. Who imports this declares SPRAY (src/pass/kind.rs): whether there is any.
 #import light
-#import cloud_light
 
 const SPRAY_LIGHT = 1.3;           // of thick spray over the sky's at the horizon behind it, which shows thick air, and its share of the
 const SPRAY_WHITE = 0.8;           // colour of daylight, which drops have; both ours
@@ -41,11 +40,11 @@ fn spray_light(light: Daylight, up: vec3f, direction: vec3f) -> vec3f {
 
 // Radiance of a surface in that daylight, through spray and air.
 fn through_air(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres) -> vec3f {
-    return through_spray(radiance, light, up, direction, distance, vec2f(1.0, 0.0));
+    return through_spray(radiance, light, light, up, direction, distance, vec2f(1.0, 0.0));
 }
 
-// The same through spray that gusts drive: so many times as dense as usual (x), and a thin sheet on the water besides, of an optical depth (y).
-fn through_spray(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, distance: Metres, driven: vec2f) -> vec3f {
+// The same through spray that gusts drive: so many times as dense as usual (x), and a thin sheet on the water besides, of an optical depth (y). `near`: the daylight of thick spray's near side.
+fn through_spray(radiance: vec3f, light: Daylight, near: Daylight, up: vec3f, direction: vec3f, distance: Metres, driven: vec2f) -> vec3f {
     if !SPRAY {
         let air = haze(direction, distance);
         return radiance * air.transmittance + lit_air(air, light);
@@ -55,14 +54,5 @@ fn through_spray(radiance: vec3f, light: Daylight, up: vec3f, direction: vec3f, 
     // What thick spray shows is its near side; from high above all of it is far away.
     let inside = depth / (driven.x * frame.spray);
     let air = haze(direction, distance - inside * select(1.0 - (1.0 - left) / depth, 0.0, depth < 1e-3));
-    // Its near side is under the clouds that are over the eye: those over what it hides do not show.
-    var near = light;
-    if CLOUDS {
-        let amid = (1.0 - left) * exp(-0.1 * max(frame.eye_altitude, 0.0) / spray_height());
-        let here = clouded_daylight_at_eye(daylight_at(frame.light.z));
-        near.sun = mix(light.sun, here.sun, amid);
-        near.sky = mix(light.sky, here.sky, amid);
-        near.air = mix(light.air, here.air, amid);
-    }
     return mix(spray_light(near, up, direction), radiance, left * exp(-driven.y)) * air.transmittance + lit_air(air, light);
 }

@@ -239,8 +239,8 @@ pub struct Settings {
     pub layers: Layers,
     /// Optical depth of the air's aerosol at 550 nm, straight up, 0 to [`HAZIEST`]: 0.05 to 0.2 over oceans.
     pub haze: f64,
-    /// Share of the earth under clouds, 0 to 1; [`USUAL_CLOUDS`]: as many as the wind brings, [`Settings::cloud_cover`].
-    pub clouds: f64,
+    /// Share of the earth under clouds, 0 to 1; `None`: as many as the wind brings, [`Settings::cloud_cover`].
+    pub clouds: Option<f64>,
     /// The sea's water.
     pub water: Water,
     /// ρ in the water's opacity `1 − exp(−ρ·depth)`, per metre, 0.1 to 0.3.
@@ -251,10 +251,10 @@ pub struct Settings {
 pub const USUAL_WATER_DENSITY_PER_M: f64 = 0.2;
 
 /// Share of the earth under clouds unless a link says otherwise, and in storms.
-pub const USUAL_CLOUDS: f64 = 0.45;
+const USUAL_CLOUDS: f64 = 0.45;
 const STORMY_CLOUDS: f64 = 0.98;
-/// Winds between which the one goes over into the other, m/s: from grade 8 to 12.
-const STORMY_MPS: [f64; 2] = [19.0, 32.0];
+/// Winds between which the one goes over into the other, m/s: where grades 9 and 12 begin.
+const STORMY_MPS: [f64; 2] = [20.8, 32.7];
 
 impl Default for Settings {
     fn default() -> Self {
@@ -274,7 +274,7 @@ impl Default for Settings {
             quality: Quality::default(),
             layers: Layers::default(),
             haze: 0.08,
-            clouds: USUAL_CLOUDS,
+            clouds: None,
             water: Water::Auto,
             water_density_per_m: USUAL_WATER_DENSITY_PER_M,
         }
@@ -289,11 +289,8 @@ impl Settings {
 
     /// Share of the earth under clouds, 0 to 1: what is asked for, or as many as the wind brings.
     pub fn cloud_cover(&self) -> f64 {
-        if self.clouds != USUAL_CLOUDS {
-            return self.clouds;
-        }
         let storm = smoothstep(STORMY_MPS[0], STORMY_MPS[1], self.wind_speed_mps());
-        USUAL_CLOUDS + (STORMY_CLOUDS - USUAL_CLOUDS) * storm
+        self.clouds.unwrap_or(USUAL_CLOUDS + (STORMY_CLOUDS - USUAL_CLOUDS) * storm)
     }
 
     /// The whitecaps that are drawn: none where their layer is hidden.

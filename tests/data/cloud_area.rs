@@ -21,7 +21,7 @@ fn lifted(metres: f64) -> Ellipsoid {
 
 #[test]
 fn the_area_holds_every_pixel_that_may_show_a_cloud() {
-    let settings = Settings { clouds: 0.5, ..Settings::default() };
+    let settings = Settings { clouds: Some(0.5), ..Settings::default() };
     let mut seas = Seas::default();
     let extent = DVec2::from(SIZE.map(f64::from));
     let (mut inside, mut needed) = (0, 0);
@@ -57,7 +57,7 @@ fn the_area_holds_every_pixel_that_may_show_a_cloud() {
 
 #[test]
 fn a_globe_in_the_distance_is_a_small_part_of_its_picture() {
-    let settings = Settings { clouds: 0.5, ..Settings::default() };
+    let settings = Settings { clouds: Some(0.5), ..Settings::default() };
     let camera = Camera::from_degrees(16.0, -25.0, 3e7, 0.0, 0.0);
     let frame = Frame::new(&settings, &camera, 1_795_176_000.0, [1280, 720]);
     let [left, top, width, height] = frame.clouds.unwrap().area;

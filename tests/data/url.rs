@@ -81,7 +81,7 @@ fn other_than_default() -> ViewState {
             quality: Quality::High,
             layers,
             haze: 0.15,
-            clouds: 0.35,
+            clouds: Some(0.35),
             water: Water::Coastal,
             water_density_per_m: 0.3,
         },
@@ -108,7 +108,7 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
     assert_eq!(state.format_fragment(None), "");
     assert_eq!(good(""), state);
     assert_eq!(good("#"), state);
-    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&clouds=0.45&water=auto&surf=1,0.03&time=now&rate=1&seed=0\
+    let table = "#view=20,-30,2e7,0,0&ride=0&wind=8@250&spectrum=jonswap&chop=1&foam=1,3.5&haze=0.08&water=auto&surf=1,0.03&time=now&rate=1&seed=0\
                  &quality=auto&datum=ellipsoid&v=1&layers=";
     assert_eq!(good(table), state);
     let s = state.settings;
@@ -120,14 +120,17 @@ fn the_defaults_are_those_of_the_table_and_are_not_written() {
 fn storms_bring_clouds_unless_a_link_says_how_many() {
     let cover = |text: &str| good(text).settings.cloud_cover();
     // Up to a gale as ever: old links look as they did.
-    for link in ["", "bft=0", "bft=8", "wind=19@250"] {
+    for link in ["", "bft=0", "bft=8", "wind=20.7@250"] {
         assert_eq!(cover(link), 0.45, "{link}");
     }
     let storms = [8, 9, 10, 11, 12].map(|grade| cover(&format!("bft={grade}")));
     assert!(storms.is_sorted_by(|less, more| less < more), "{storms:?}");
     assert!(storms[4] > 0.97, "{storms:?}");
-    assert_eq!(cover("bft=12&clouds=0.2"), 0.2);
-    assert_eq!(cover("bft=12&clouds=0"), 0.0);
+    for said in ["0", "0.2", "0.45"] {
+        let state = good(&format!("bft=12&clouds={said}"));
+        assert_eq!(state.settings.cloud_cover().to_string(), said);
+        assert_eq!(good(&state.format_fragment(None)).settings.cloud_cover().to_string(), said, "after a round trip");
+    }
 }
 
 #[test]
@@ -179,7 +182,10 @@ fn every_name_of_the_table_is_read() {
     assert_eq!(bisected("mesh=bisect,9"), (Mesh::Bisect, Triangles { pixels: 9.0, ..default }));
     assert_eq!(bisected("mesh=bisect,1e9,5"), (Mesh::Bisect, Triangles { pixels: 64.0, budget: 1_000 }));
     assert_eq!(["haze=-1", "haze=0.123", "haze=9"].map(|text| good(text).settings.haze), [0.0, 0.123, 0.5]);
-    assert_eq!(["clouds=-1", "clouds=0.123", "clouds=9"].map(|text| good(text).settings.clouds), [0.0, 0.123, 1.0]);
+    assert_eq!(
+        ["clouds=-1", "clouds=0.123", "clouds=9"].map(|text| good(text).settings.clouds),
+        [0.0, 0.123, 1.0].map(Some)
+    );
     let layers = good("layers=-sea,-sky,land").settings.layers;
     assert!(!layers.shows(Layer::Sea) && !layers.shows(Layer::Sky) && layers.shows(Layer::Land));
     let (state, errors) = ViewState::parse_fragment("layers=-sea,-krakens", None);

@@ -29,7 +29,7 @@ fn is_valid(state: &ViewState) -> bool {
         && in_range(s.foam.amount, 0.0, 3.0)
         && in_range(s.foam.lifetime_s, 0.1, 60.0)
         && in_range(s.haze, 0.0, 0.5)
-        && in_range(s.clouds, 0.0, 1.0)
+        && s.clouds.is_none_or(|clouds| in_range(clouds, 0.0, 1.0))
         && in_range(state.rate, -1000.0, 1000.0)
         && time_ok
 }
@@ -236,7 +236,7 @@ fn any_state() -> impl Strategy<Value = ViewState> {
             quality: Quality::ALL[rest.1].0,
             layers: rest.2,
             haze: f64::from(rest.3.0) / 1000.0,
-            clouds: f64::from(rest.3.1) / 1000.0,
+            clouds: Some(f64::from(rest.3.1) / 1000.0).filter(|cover| *cover != 0.5),
             water: Water::ALL[rest.4.0].0,
             water_density_per_m: f64::from(rest.4.1) / 1000.0,
             surf: Surf { width: f64::from(rest.4.2) / 1000.0, beach_slope: f64::from(rest.4.3) / 1000.0 },

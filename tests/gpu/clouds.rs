@@ -97,7 +97,7 @@ impl Sky {
 }
 
 fn frame(cover: f64, [lat, lon, altitude]: [f64; 3], unix_seconds: f64) -> Frame {
-    let settings = Settings { clouds: cover, ..Settings::default() };
+    let settings = Settings { clouds: Some(cover), ..Settings::default() };
     Frame::new(&settings, &Camera::from_degrees(lat, lon, altitude, 0.0, 0.0), unix_seconds, [64; 2])
 }
 

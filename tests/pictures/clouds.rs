@@ -126,13 +126,13 @@ fn spray_before_a_far_sea_has_one_colour_under_broken_clouds() {
     let link = "#view=25,140,20,262,86&bft=12&time=2026-08-20T03:00:00Z";
     let pixels = picture(&mut renderer, link, SIZE);
     // Some pixels below the horizon, which stands 15 over the middle: one sees 600 m there, so nearly all of it is spray.
-    let bluest = |column: usize| {
+    let blueness = |column: usize| {
         let at = (80..83).flat_map(|y| (column..column + 16).map(move |x| 4 * (320 * y + x)));
         let [red, blue] =
             at.fold([0.0, 0.0], |sum, at| [sum[0] + f64::from(pixels[at]), sum[1] + f64::from(pixels[at + 2])]);
         blue / red
     };
-    let ratios: Vec<f64> = (0..20).map(|column| bluest(16 * column)).collect();
+    let ratios: Vec<f64> = (0..20).map(|column| blueness(16 * column)).collect();
     let [least, most] = [ratios.iter().copied().fold(f64::MAX, f64::min), ratios.iter().copied().fold(0.0, f64::max)];
     println!("blue over red of the far spray: {least:.3} to {most:.3}");
     // Lit by the sky over what it hides it was blue below the gaps there, by a tenth; a hundredth of what lies behind shows.

@@ -127,7 +127,7 @@ impl ViewState {
             "chop" => s.chop = clamped(value, 0.0..=2.0).ok_or_else(|| bad("give 0 to 2"))?,
             "foam" => s.foam = parse_foam(value).ok_or_else(|| bad("give amount[,lifetime[,height]]"))?,
             "haze" => s.haze = clamped(value, 0.0..=HAZIEST).ok_or_else(|| bad("give 0 to 0.5"))?,
-            "clouds" => s.clouds = clamped(value, 0.0..=1.0).ok_or_else(|| bad("give a cover, 0 to 1"))?,
+            "clouds" => s.clouds = Some(clamped(value, 0.0..=1.0).ok_or_else(|| bad("give a cover, 0 to 1"))?),
             "water" => {
                 (s.water, s.water_density_per_m) = parse_water(value).ok_or_else(|| bad(&names(&Water::ALL)))?;
             }
@@ -200,7 +200,7 @@ impl ViewState {
             "chop" => Some(decimal(s.chop, 3)).filter(|text| text != "1"),
             "foam" => Some(format_foam(s.foam)).filter(|text| text != "1"),
             "haze" => Some(decimal(s.haze, 3)).filter(|text| *text != decimal(default.haze, 3)),
-            "clouds" => Some(decimal(s.clouds, 3)).filter(|text| *text != decimal(default.clouds, 3)),
+            "clouds" => s.clouds.map(|cover| decimal(cover, 3)),
             "water" => Some(format_water(s.water, s.water_density_per_m)).filter(|text| text != "auto"),
             "surf" => Some(format_surf(s.surf)).filter(|text| text != "1"),
             "time" => (self.time != SceneTime::Now).then(|| self.time.to_string()),
