@@ -47,7 +47,7 @@ const LAMP_LIGHT = 0.045;               // of their lamps, of the sun's irradian
 const WINDOW_LIGHT = 0.012;             // and of lit windows
 const LIT_TOWNS = vec2f(0.6, 1.5);             // how much of that towns have, and the midst of great cities
 const LAMPS = 0.11;                     // radius of what a lamp lights brightest, of a lot
-const MEAN_WALLS = 0.20;                // of what is seen of towns, a mean
+const MEAN_WALLS = 0.25;                // of what is seen of towns, a mean
 const MEAN_SUN = 0.66;                  // of the sun's light on level ground, what houses, walls and streets have of it where they do not show
 const MEAN_SKY = 0.88;                  // and of the sky's
 
