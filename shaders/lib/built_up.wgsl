@@ -243,7 +243,7 @@ fn houses(p: FinePoint, built: BuiltUp, sin_lat: f32, sight_on_map: vec2f, sun_o
     let is_on_roof = all(abs(in_lot - box_at) < vec2f(ON_ROOF.y)) & ((kind & 8u) != 0u);
     let furnished = mix(1.0, select(select(1.0, ON_ROOF.z, is_on_roof), ROOF_RIM.y, is_rim), closely);
     let is_roof = is_house & !on_wall;
-    let bits = (vec4u(kind) >> vec4u(16u, 17u, 20u, 21u) & vec4u(1u)) == vec4u(1u);
+    let bits = ((vec4u(kind) >> vec4u(16u, 17u, 20u, 21u)) & vec4u(1u)) == vec4u(1u);
     let walls = WALLS * select(select(WALL_KINDS[0], WALL_KINDS[1], bits.x), select(WALL_KINDS[2], WALL_KINDS[3], bits.x), bits.y);
     var albedo = select(select(ASPHALT, roof * select(furnished, 1.0, is_gable), is_house), walls, on_wall);
     // Its windows: how high, how far along.
