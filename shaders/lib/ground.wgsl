@@ -4,7 +4,7 @@
 // Long, but one thing: the ground's colour and light at a place, from what lies there over what grows, is built and has been washed up to how it is lit.
 #import ground_colour
 #import bed_cover
-#import built_up
+#import houses
 #import imagery
 #import inland
 #import plants

@@ -18,7 +18,7 @@ pub const LIBRARY: &[(&str, &str)] = libraries![
     "air", "air_coordinates", "atmosphere", "beach", "bed_cover", "bisected_mesh", "bisection_tree", "bisector_pieces", "bisectors", "brdf", "breakers", "built_up", "canopy", "caustic_map", "cells",
     "cloud_layer", "cloud_light", "cloud_noise", "clouds", "crest_pixels",
     "cuboid", "decks", "domain", "domes", "driven_spray", "ellipsoid", "exchange_1", "exchange_2", "exchange_4", "fields", "foam", "foam_light", "four_taps", "frame", "full_screen",
-    "ground", "ground_colour", "ground_slope", "gusts", "hash", "held", "ice_clouds", "imagery", "inland", "lace", "lace_net", "lens", "light", "limb", "map", "map_texels", "mirrored_land", "no_lens", "noise", "normal",
+    "ground", "ground_colour", "ground_slope", "gusts", "hash", "held", "houses", "ice_clouds", "imagery", "inland", "lace", "lace_net", "lens", "light", "limb", "map", "map_texels", "mirrored_land", "no_lens", "noise", "normal",
     "output", "places", "plants", "plume", "projected_grid", "reefs", "relief", "rivers", "rollers", "rugged", "scattering", "scene", "sea_bed", "sea_mesh", "sea_pixel", "sea_vertex", "shelter", "shore_kind", "shore_pixels", "shore_shape", "shore_trains", "sky", "sky_coordinates", "sparkle", "spot", "spray", "stairs", "stockham",
     "sunlight", "surf", "swash", "towers", "translucence", "trigonometry", "under_water", "walls", "water", "water_types", "wave_patches", "waves", "window", "world",
 ];

@@ -1,4 +1,4 @@
-//! The windows of towns about the eye, for the shader that builds them up (`shaders/lib/built_up.wgsl`).
+//! The windows of towns about the eye, for the shaders that build them up (`shaders/lib/built_up.wgsl`, `houses.wgsl`).
 
 use crate::data::tile::{Projection, TileId};
 use crate::gpu::Gpu;
