@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use ocean_globe::data::streaming::Streaming;
 use ocean_globe::data::tile::{MapPoint, Projection, TileId, lat_lon_from_map};
 use ocean_globe::data::world::World;
+use ocean_globe::model::earth::{Geodetic, WGS84};
 use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
 use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
@@ -12,6 +13,8 @@ use ocean_globe::scene::view::map_tiles::{DrawnTile, Hiding, deepest_mesh, drawn
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 360];
+/// Along a side of a tile's grid.
+const CELLS: f64 = 16.0;
 
 /// Loads all that a view needs.
 fn load(streaming: &mut Streaming, world: &mut World, camera: &Camera) {
@@ -103,6 +106,59 @@ fn tiles_with_cells_twice_as_wide_are_those_above_the_usual_ones() {
             assert!(over.is_rugged >= tile.is_rugged, "{} over {}", over.id, tile.id);
         }
     }
+}
+
+/// How far the data's ground is off the chords of a tile's cells, pixels as an eye would see it from the side: in the middle of some.
+fn chords_off_pixels(id: TileId, camera: &Camera, world: &mut World) -> Vec<f64> {
+    let eye = camera.eye_ecef();
+    let pixel_angle = 2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / f64::from(SIZE[1]);
+    let side = 2f64.powi(-i32::from(id.z));
+    let mut place = |column: f64, row: f64| {
+        let at = [(f64::from(id.x) + column / CELLS) * side, (f64::from(id.y) + row / CELLS) * side];
+        let (lat, lon) = lat_lon_from_map(id.projection, at[0], at[1]);
+        let found = world.sample_blocking(lat, lon).unwrap();
+        let ground = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
+        let shore_m = found.shore_distance_m.unwrap_or(f64::NEG_INFINITY);
+        (
+            found.elevation_measured_m,
+            ground.distance(eye),
+            shore_m < -500.0 && found.lake_distance_m.is_none_or(|m| m < 0.0),
+        )
+    };
+    let mut off = Vec::new();
+    let some = || (1..16).step_by(3).map(f64::from);
+    for row in some() {
+        for column in some() {
+            let [a, b, middle] = [0.0, 1.0, 0.5].map(|part| place(column + part, row + part));
+            if a.2 && b.2 && middle.2 {
+                off.push((middle.0 - 0.5 * (a.0 + b.0)).abs() / (middle.1 * pixel_angle));
+            }
+        }
+    }
+    off
+}
+
+#[test]
+fn cells_are_wide_where_slopes_are_gentle_and_no_pixel_off_the_ground() {
+    let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
+    // From one height over the plain of the Pannonian basin, the Sahara, hills of Umbria, and the Alps, whose ridges are steeper than cells are narrow.
+    let places = [(47.0, 20.5, true), (23.0, 10.0, true), (43.0, 12.5, true), (46.5, 9.0, false)];
+    let [plain, desert, hills, alps] = places.map(|(lat, lon, is_gentle)| {
+        let camera = Camera::from_degrees(lat, lon, 3_000.0, 253.0, 71.0);
+        load(&mut streaming, &mut world, &camera);
+        let tiles = drawn_tiles(&camera, SIZE, &streaming, None, 1.0, None);
+        if !is_gentle {
+            return tiles.len();
+        }
+        let mut off: Vec<f64> = tiles.iter().flat_map(|tile| chords_off_pixels(tile.id, &camera, &mut world)).collect();
+        off.sort_by(f64::total_cmp);
+        let [most, usual] = [off.len() - 1, off.len() * 99 / 100].map(|at| off[at]);
+        println!("{lat}, {lon}: {} tiles; chords {usual:.2} pixels off, at most {most:.2}", tiles.len());
+        // Half a pixel by slopes over whole tiles; hills may be narrower than tiles, and the archive's elevations are whole metres.
+        assert!(usual < 0.5 && most < 1.0, "{usual} and {most}");
+        tiles.len()
+    });
+    assert!(2 * plain < alps && plain < hills && desert < hills, "{plain}, {desert}, {hills}, {alps}");
 }
 
 #[test]
