@@ -32,13 +32,12 @@ const STEEP_M: f64 = 800.0;
 /// Slope of a tile from which on its cells are as narrow as usual, 8 to 16 pixels: chords over hills that are as steep and as wide as the tile are half a
 /// pixel off, and no more in cells that are as much wider as slopes are gentler.
 const STEEP: f64 = 0.125;
-/// Cells of the gentlest are so many times finer than usual ones, and all in a coarse picture.
-const GENTLEST: f64 = 0.25;
+/// Cells of the gentlest are so many times finer than usual ones: as wide as all are in a coarse picture, whose eye may move without a pop.
+const GENTLEST: f64 = 0.5;
 /// Coarser tiles than those of this level bend with the globe, and a bed that the sea hides is told from others in small ones.
 const GENTLE_LEVEL: u8 = 8;
-/// Nearer to a shore than this, metres, its profile shapes the ground, whatever the data say, and is so far off the chords of cells that are twice as wide as usual ones.
+/// Nearer to a shore than this, metres, its profile shapes the ground, whatever the data say; wide triangles would bare the bed before it.
 const SHORE_SHAPED_M: f64 = 500.0;
-const SHORE_BENDS_M: f64 = 2.0;
 /// The tile of this level around an island that may be raised, 156 km wide at the equator, has deep water, or is a shelf's.
 const AROUND: u8 = 8;
 /// No wave runs farther up a beach, m; as `SWASH_WIDEST` of `shaders/lib/swash.wgsl`.
@@ -216,6 +215,8 @@ pub fn drawn_tiles(
     let visibility = Visibility::new(camera, size);
     let foot = WGS84.ecef_from_geodetic(Geodetic { lat: camera.lat, lon: camera.lon, height: 0.0 });
     let is_rugged = |id| least_pixel_m(&bounds(id), &visibility) < WIDEST_M && rugged_m(id, tiles).is_some();
+    // Cells of a coarse picture are wide as they are.
+    let gentle = |id, b: &Bounds| if wider > 1.0 { 1.0 } else { fineness(id, b, tiles, hiding) };
     let ids = refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
@@ -224,8 +225,13 @@ pub fn drawn_tiles(
         let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
         let Some((range_m, has_walls)) = rugged(id, tiles).filter(|(range_m, _)| is_held && *range_m >= RUGGED_M)
         else {
-            let finer = (fineness(id, b, visibility, tiles, hiding) / wider).max(GENTLEST);
-            return Judged { shows, divisible: id.z < usual, finer, is_steep: false, ground_m: 0.0 };
+            return Judged {
+                shows,
+                divisible: id.z < usual,
+                finer: gentle(id, b) / wider,
+                is_steep: false,
+                ground_m: 0.0,
+            };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
         // On the way from the eye's foot slopes lead no farther up or down than they are wide, but for walls.
@@ -237,7 +243,7 @@ pub fn drawn_tiles(
         } else if has_walls {
             1.0
         } else {
-            fineness(id, b, visibility, tiles, hiding) * if id.z < usual { 1.0 } else { 0.5 }
+            gentle(id, b) * if id.z < usual { 1.0 } else { 0.5 }
         };
         Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, is_steep: finer > 1.0, ground_m }
     });
@@ -245,7 +251,7 @@ pub fn drawn_tiles(
 }
 
 /// How many times finer than usual the cells of a tile have to be for its slope: gentle ones look in wider cells as they do in usual ones, and take much less time.
-fn fineness(id: TileId, b: &Bounds, visibility: &Visibility, tiles: &Streaming, hiding: Option<Hiding>) -> f64 {
+fn fineness(id: TileId, b: &Bounds, tiles: &Streaming, hiding: Option<Hiding>) -> f64 {
     let known = tiles.elevations_m(id, id.z).zip(tiles.shore_m(id, id.z)).filter(|_| id.z >= GENTLE_LEVEL);
     let Some((metres, shore_m)) = known else { return 1.0 };
     // The range is that of the archive's texels about it.
@@ -255,9 +261,7 @@ fn fineness(id: TileId, b: &Bounds, visibility: &Visibility, tiles: &Streaming, 
     let seen_m = |metres: f64| hiding.map_or(metres, |h| metres.max(-h.depth_m));
     let slope = (seen_m(metres.greatest) - seen_m(metres.least)) / width_m;
     let has_shore = shore_m.least < SHORE_SHAPED_M && shore_m.greatest > -SHORE_SHAPED_M;
-    let pixel_m = (b.centre.distance(visibility.eye) - b.radius).max(0.0) * visibility.pixel_angle;
-    let by_shore = if has_shore { (SHORE_BENDS_M / pixel_m).min(0.5) } else { 0.0 };
-    (slope / STEEP).max(by_shore).clamp(GENTLEST, 1.0)
+    if has_shore { 1.0 } else { (slope / STEEP).clamp(GENTLEST, 1.0) }
 }
 
 /// The coarsest level that shaders look at in a tile with these bounds, `far_m` from the eye where it is farthest.
