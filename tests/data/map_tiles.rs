@@ -8,13 +8,12 @@ use ocean_globe::data::world::World;
 use ocean_globe::model::earth::{Geodetic, WGS84};
 use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
+use ocean_globe::pass::land::GRID;
 use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 use ocean_globe::scene::view::map_tiles::{DrawnTile, Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 360];
-/// Along a side of a tile's grid.
-const CELLS: f64 = 16.0;
 
 /// Loads all that a view needs.
 fn load(streaming: &mut Streaming, world: &mut World, camera: &Camera) {
@@ -114,7 +113,8 @@ fn chords_off_pixels(id: TileId, camera: &Camera, world: &mut World) -> Vec<f64>
     let pixel_angle = 2.0 * (FIELD_OF_VIEW_Y / 2.0).tan() / f64::from(SIZE[1]);
     let side = 2f64.powi(-i32::from(id.z));
     let mut place = |column: f64, row: f64| {
-        let at = [(f64::from(id.x) + column / CELLS) * side, (f64::from(id.y) + row / CELLS) * side];
+        let at =
+            [(f64::from(id.x) + column / f64::from(GRID)) * side, (f64::from(id.y) + row / f64::from(GRID)) * side];
         let (lat, lon) = lat_lon_from_map(id.projection, at[0], at[1]);
         let found = world.sample_blocking(lat, lon).unwrap();
         let ground = WGS84.ecef_from_geodetic(Geodetic { lat, lon, height: 0.0 });
@@ -126,7 +126,7 @@ fn chords_off_pixels(id: TileId, camera: &Camera, world: &mut World) -> Vec<f64>
         )
     };
     let mut off = Vec::new();
-    let some = || (1..16).step_by(3).map(f64::from);
+    let some = || (1..GRID).step_by(3).map(f64::from);
     for row in some() {
         for column in some() {
             let [a, b, middle] = [0.0, 1.0, 0.5].map(|part| place(column + part, row + part));

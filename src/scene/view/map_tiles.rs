@@ -31,7 +31,7 @@ const RUGGED_M: f64 = 60.0;
 const STEEP_M: f64 = 800.0;
 /// Slope of a tile from which on its cells are as narrow as usual, 8 to 16 pixels: chords over hills that are as steep and as wide as the tile are half a
 /// pixel off, and no more in cells that are as much wider as slopes are gentler.
-const STEEP: f64 = 0.125;
+const GENTLE_SLOPE: f64 = 0.125;
 /// Cells of the gentlest are so many times finer than usual ones: as wide as all are in a coarse picture, whose eye may move without a pop.
 const GENTLEST: f64 = 0.5;
 /// Coarser tiles than those of this level bend with the globe, and a bed that the sea hides is told from others in small ones.
@@ -215,8 +215,8 @@ pub fn drawn_tiles(
     let visibility = Visibility::new(camera, size);
     let foot = WGS84.ecef_from_geodetic(Geodetic { lat: camera.lat, lon: camera.lon, height: 0.0 });
     let is_rugged = |id| least_pixel_m(&bounds(id), &visibility) < WIDEST_M && rugged_m(id, tiles).is_some();
-    // Cells of a coarse picture are wide as they are.
-    let gentle = |id, b: &Bounds| if wider > 1.0 { 1.0 } else { fineness(id, b, tiles, hiding) };
+    // Gentle ground is no wider in a coarse picture, whose cells all are.
+    let gentle = |id, b: &Bounds| fineness(id, b, tiles, hiding).min(1.0 / wider);
     let ids = refined(camera, size, |id, far_m, visibility, b| {
         let shows = visibility.sees(b, heights(id, tiles))
             && !hiding.is_some_and(|h| h.hides(id, coarsest_level(id, b, far_m, visibility), tiles));
@@ -225,27 +225,22 @@ pub fn drawn_tiles(
         let is_held = shows && wider * CELL_PIXELS * least_pixel_m(b, visibility) < WIDEST_M;
         let Some((range_m, has_walls)) = rugged(id, tiles).filter(|(range_m, _)| is_held && *range_m >= RUGGED_M)
         else {
-            return Judged {
-                shows,
-                divisible: id.z < usual,
-                finer: gentle(id, b) / wider,
-                is_steep: false,
-                ground_m: 0.0,
-            };
+            return Judged { shows, divisible: id.z < usual, finer: gentle(id, b), is_steep: false, ground_m: 0.0 };
         };
         let ground_m = tiles.elevations_m(id, id.z).map_or(0.0, |m| 0.7 * m.least.max(0.0) + 0.3 * m.greatest);
         // On the way from the eye's foot slopes lead no farther up or down than they are wide, but for walls.
         let reach_m = (b.centre.distance(foot) - b.radius).max(0.0);
         let ground_m =
             foot_m.map_or(ground_m, |foot_m| ground_m.clamp((foot_m - reach_m).max(0.0), foot_m.max(0.0) + reach_m));
-        let finer = if range_m > STEEP_M {
-            2.0
+        let is_steep = range_m > STEEP_M;
+        let finer = if is_steep {
+            2.0 / wider
         } else if has_walls {
-            1.0
+            1.0 / wider
         } else {
             gentle(id, b) * if id.z < usual { 1.0 } else { 0.5 }
         };
-        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer: finer / wider, is_steep: finer > 1.0, ground_m }
+        Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer, is_steep, ground_m }
     });
     ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
 }
@@ -261,7 +256,7 @@ fn fineness(id: TileId, b: &Bounds, tiles: &Streaming, hiding: Option<Hiding>) -
     let seen_m = |metres: f64| hiding.map_or(metres, |h| metres.max(-h.depth_m));
     let slope = (seen_m(metres.greatest) - seen_m(metres.least)) / width_m;
     let has_shore = shore_m.least < SHORE_SHAPED_M && shore_m.greatest > -SHORE_SHAPED_M;
-    if has_shore { 1.0 } else { (slope / STEEP).clamp(GENTLEST, 1.0) }
+    if has_shore { 1.0 } else { (slope / GENTLE_SLOPE).clamp(GENTLEST, 1.0) }
 }
 
 /// The coarsest level that shaders look at in a tile with these bounds, `far_m` from the eye where it is farthest.
