@@ -52,5 +52,8 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let gap = water.returns - water.leaves;
     let way = stands - stretch.x - clamp(stands - water.leaves, 0.0, gap);
     let before = saturate(way / max(stretch.y - stretch.x - gap, 1.0));
-    return seen * select(0.0, before, stretch.x < stretch.y);
+    // Of a cloud through which nothing is seen far land behind the sight's lowest place hides none: it would be a line across near ones.
+    let lowest = select(1e9, -direction.z * SEMI_MINOR, direction.z < 0.0);
+    let share = select(before, (1.0 - pow(1.0 - saturate(seen.a), before)) / max(seen.a, 1e-4), stands >= min(water.leaves, lowest));
+    return seen * select(0.0, share, stretch.x < stretch.y);
 }

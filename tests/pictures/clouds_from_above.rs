@@ -104,6 +104,22 @@ fn clouds_from_space_are_not_out_of_focus() {
 }
 
 #[test]
+fn no_line_of_far_land_lies_across_near_clouds() {
+    const SIZE: [u32; 2] = [640, 360];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // From within clouds before the Alps, which rise over the ellipsoid's horizon, in row 64.
+    let link = "#view=44.95,12.35,1500,250,74&time=2026-06-10T09:00:00Z";
+    let pixels = picture(&mut renderer, link, SIZE);
+    let darkest = |x: u32, rows: std::ops::Range<u32>| rows.map(|y| pixels[(4 * (y * SIZE[0] + x) + 1) as usize]).min();
+    let closed = (0..SIZE[0]).filter(|x| darkest(*x, 50..58) >= Some(232) && darkest(*x, 72..80) >= Some(232));
+    let between: Vec<u8> = closed.filter_map(|x| darkest(x, 58..72)).collect();
+    let least = between.iter().min().copied().unwrap_or(0);
+    println!("between white above and white below {} columns are {least} or more of 255", between.len());
+    // 221 where the land hides of a closed cloud as much as it hides of the way through the layer.
+    assert!(between.len() > 250 && least >= 228, "{} columns, {least}", between.len());
+}
+
+#[test]
 fn summits_above_the_clouds_stand_in_no_shadow() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // At 2,490 m, over slopes that stand before the sky as well.
