@@ -6,6 +6,7 @@ const FIELD_TURN = vec2u(3u, 2u); // how their rows lie on the map before they a
 const FIELD_CELL: Metres = 169.6; // and how wide they are at the equator: 2^16 units of the map over that vector's length
 const FIELDS_BENT = 0.06;         // how far their rows are bent by what is 4.9 km wide, of its cells a rise
 const HEDGE = 0.035;              // half of a hedge's width, of a row's
+const FARMED_TO = vec2f(3250.0, 3460.0); // how high farms are found at the equator, m, and how much less so at a pole: 1,600 m at 43.5 degrees
 const HEDGED = 0.5;               // share of borders that have one
 const BORDERS = 1.625;            // borders beside a cell, of two that it could have: see `column_of`
 // What a bright field has more, and a ripe one of red, green and blue, and a hedge less, of the ground's mean.
@@ -18,11 +19,12 @@ struct Fields { tone: f32, ripe: f32, hedge: f32 }
 
 fn field_tones(fields: Fields) -> vec3f { return FIELD_TONE * fields.tone + FIELD_HUE * fields.ripe - HEDGE_TONE * fields.hedge; }
 
-// How far ground is farmed: level, neither a dark forest nor a desert, not too far north or south, and more of it here than there: woods and
+// How far ground is farmed: level, neither a dark forest nor a desert, not too far north or south nor too high, and more of it here than there: woods and
 // heaths are left where `tillage` is low, in patches as wide as 5 and 1 km.
-fn farmed(albedo: vec3f, green: f32, slope: f32, sin_lat: f32, tillage: f32) -> f32 {
+fn farmed(albedo: vec3f, green: f32, slope: f32, elevation: Metres, sin_lat: f32, tillage: f32) -> f32 {
+    let highest = max(FARMED_TO.x - FARMED_TO.y * sin_lat * sin_lat, 200.0);
     let suits = smoothstep(0.05, 0.08, albedo.g) * smoothstep(0.3, 0.6, green) * smoothstep(0.12, 0.05, slope) * smoothstep(0.90, 0.86, abs(sin_lat));
-    return suits * smoothstep(-0.14, 0.04, tillage);
+    return suits * smoothstep(1.1 * highest, 0.9 * highest, elevation) * smoothstep(-0.14, 0.04, tillage);
 }
 
 // Which field of its row a cell is part of: one cell, two or, a quarter of them, four are tilled as one. 0.625 of the borders between cells are left.

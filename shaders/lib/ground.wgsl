@@ -174,7 +174,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             flat = mix(1.0, across / growth, greenness(albedo));
             let detail = ground_detail(point.at, growth);
             let green = greenness(albedo);
-            let farm = farmed(albedo, green, length(terrain), sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
+            let farm = farmed(albedo, green, length(terrain), ground.elevation, sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
             // What stands on a slope stands upright: a sight and the sun's light sink to that, not to the level.
             let raised = lies / max(dot(lies, up), 0.1);
             let sinks = max(-dot(direction, raised), LEAST_SINKING);

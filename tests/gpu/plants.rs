@@ -207,3 +207,48 @@ fn nothing_that_grows_shows_in_pixels_that_leave_it_out() {
     assert_eq!(left_out, 0.0);
     assert!(narrower > 0.01);
 }
+
+const FARMED: &str = "#import fields
+const EARTH_TURN: Metres = 40075016.686;
+@group(2) @binding(0) var<storage, read> asked: array<vec4f>;
+@group(2) @binding(1) var<storage, read_write> found: array<f32>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let at = asked[id.x];
+    // As green and as bright as meadows, where nothing but slope and climate keeps farmers away.
+    found[id.x] = farmed(vec3f(0.06, 0.09, 0.03), 1.0, at.z, at.y, at.x, 1.0);
+}";
+
+#[test]
+fn farms_are_where_it_is_level_and_neither_too_high_nor_too_cold() {
+    // Degrees north, metres high, slope: Skåne, Kansas, Castile, Anatolia, the highlands of Ethiopia, by Calgary and by Idaho Falls; the mountains of the Gobi, pastures of the Alps, Tibet,
+    // fells of Norway, a valley's side in Umbria, the tundra of Yamal.
+    let farms = [
+        (55.6, 50.0, 0.0),
+        (38.5, 600.0, 0.01),
+        (41.6, 850.0, 0.01),
+        (38.0, 1_000.0, 0.02),
+        (9.0, 2_400.0, 0.02),
+        (51.0, 1_030.0, 0.0),
+        (43.5, 1_430.0, 0.0),
+    ];
+    let wild = [
+        (43.5, 2_300.0, 0.03),
+        (46.6, 2_000.0, 0.04),
+        (33.0, 4_500.0, 0.02),
+        (61.0, 1_100.0, 0.02),
+        (43.0, 400.0, 0.2),
+        (70.0, 20.0, 0.0),
+    ];
+    let share = |places: &[(f64, f64, f64)]| -> Vec<f32> {
+        let asked: Vec<[f32; 4]> = places
+            .iter()
+            .map(|(lat, m, slope)| [lat.to_radians().sin() as f32, *m as f32, *slope as f32, 0.0])
+            .collect();
+        kernel::answers(FARMED, &asked)
+    };
+    let [farms, wild] = [share(&farms), share(&wild)];
+    println!("farms {farms:.2?}, wild {wild:.2?}");
+    assert!(farms.iter().all(|share| *share == 1.0) && wild.iter().all(|share| *share == 0.0), "{farms:?}, {wild:?}");
+}
