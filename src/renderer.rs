@@ -254,7 +254,7 @@ impl Renderer {
             // A graphics card skips what a pixel does not have: fewer pipelines are compiled for it.
             let software = self.gpu.software;
             let reefs = !software || frame.has_reefs();
-            let ground = |DrawnTile { id, is_rugged: rugged }| {
+            let ground = |DrawnTile { id, is_rugged: rugged, .. }| {
                 // Wide pixels show what is where their own ray meets the earth, which may lie in another tile.
                 let has_inland = self.streaming.has_inland(id);
                 let inland = !software || has_inland || id.z < OWN_INLAND_LEVEL;

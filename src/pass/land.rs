@@ -1,5 +1,6 @@
 //! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in instanced draws. What beaches show that waves run up takes much
 //! longer than other ground, and is a narrow strip: where tiles have one they are drawn without it, and then those of their blocks that it crosses once more.
+//! Tiles of which the sea hides a part are drawn block by block, too.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -11,14 +12,12 @@ use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
 use crate::gpu::pipeline::{Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
-use crate::scene::view::map_tiles::DrawnTile;
+use crate::scene::view::map_tiles::{ALL_BLOCKS, BLOCKS, DrawnTile, blocks_with};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
 pub const GRID: u32 = 16;
 const MOST_TILES: usize = 1_024;
-/// Blocks along a side of a grid, two levels of tiles down; equals `BLOCKS` in `shaders/land.wgsl`.
-const BLOCKS: u32 = 4;
-/// With a beach, in one picture; tiles that come later have none.
+/// Drawn by themselves, in one picture; tiles that come later have no beaches and are drawn whole.
 const MOST_BLOCKS: usize = 4_096;
 
 #[repr(C)]
@@ -164,11 +163,62 @@ fn mesh() -> (Vec<[f32; 2]>, Vec<u32>, Blocks) {
     (vertices, indices, blocks)
 }
 
-/// Bits of a tile's blocks, of those of [`Blocks`], of which `has` is true.
-fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
-    let within = |id: TileId| id.children().filter(|_| has(id)).into_iter().flatten();
-    let bit = |block: TileId| 1 << (block.y % BLOCKS * BLOCKS + block.x % BLOCKS);
-    within(id).flat_map(within).filter(|block| has(*block)).map(bit).sum()
+/// A tile, what it is drawn with but for its beaches, and a bit for each of its blocks that is drawn.
+struct Part {
+    ground: Ground,
+    instance: Instance,
+    shown: u32,
+}
+
+/// Bits of tiles' blocks, as long as there is room for those that are drawn by themselves: those of later tiles are `otherwise`, which need none.
+fn with_room(tiles: Vec<u32>, otherwise: u32, room: &mut usize) -> Vec<u32> {
+    let fitting = |bits: u32| {
+        let count = if bits == otherwise { 0 } else { bits.count_ones() as usize };
+        let fits = count <= *room;
+        *room -= if fits { count } else { 0 };
+        if fits { bits } else { otherwise }
+    };
+    tiles.into_iter().map(fitting).collect()
+}
+
+/// The draws of tiles, and their instances one after the other. Ground with relief, which is near, comes first, and beaches last: what has been drawn beside
+/// them hides the rest of their blocks.
+fn draws(parts: &[Part], blocks: &Blocks) -> (Vec<Draw>, Vec<Instance>) {
+    let whole = 0..blocks[blocks.len() - 1].end;
+    let (mut draws, mut instances) = (Vec::new(), Vec::new());
+    let mut draw = |by: Ground, beach: Beach, indices: &Range<u32>, is_drawn: &dyn Fn(&Part) -> bool| {
+        let first = instances.len() as u32;
+        let here = parts.iter().filter(|part| part.ground == by && is_drawn(part));
+        instances.extend(here.map(|part| part.instance));
+        let range = first..instances.len() as u32;
+        if !range.is_empty() {
+            draws.push(Draw { by: Ground { beach, ..by }, indices: indices.clone(), instances: range });
+        }
+    };
+    let mut grounds: Vec<Ground> = Vec::new();
+    for part in parts {
+        if !grounds.contains(&part.ground) {
+            grounds.push(part.ground);
+        }
+    }
+    grounds.sort_by_key(|ground| !ground.rugged);
+    let has = |bits: u32, block: usize| bits >> block & 1 != 0;
+    for by in &grounds {
+        for beach in [Beach::Beside, Beach::Absent] {
+            let is_so = |part: &Part| (part.instance.beaches != 0) == (beach == Beach::Beside);
+            draw(*by, beach, &whole, &|part| is_so(part) && part.shown == ALL_BLOCKS);
+            for (block, indices) in blocks.iter().enumerate() {
+                let is_shown = |part: &Part| part.shown != ALL_BLOCKS && has(part.shown, block);
+                draw(*by, beach, indices, &|part| is_so(part) && is_shown(part));
+            }
+        }
+    }
+    for by in &grounds {
+        for (block, indices) in blocks.iter().enumerate() {
+            draw(*by, Beach::Only, indices, &|part| has(part.instance.beaches, block));
+        }
+    }
+    (draws, instances)
 }
 
 impl Land {
@@ -205,46 +255,21 @@ impl Land {
         ground: impl Fn(DrawnTile) -> Ground,
         has_beach: impl Fn(TileId) -> bool,
     ) {
-        let whole = 0..self.blocks[self.blocks.len() - 1].end;
+        let tiles: Vec<_> = tiles.take(MOST_TILES).collect();
+        let beaches: Vec<_> = tiles.iter().map(|tile| blocks_with(tile.id, &has_beach)).collect();
         let mut room = MOST_BLOCKS;
-        let mut drawn = Vec::new();
-        for tile in tiles.take(MOST_TILES) {
-            let found = blocks_with(tile.id, &has_beach);
-            let beaches = if found.count_ones() as usize > room { 0 } else { found };
-            room -= beaches.count_ones() as usize;
-            drawn.push((ground(tile).shown(kind, imagery), Instance::new(tile.id, beaches)));
-        }
-        self.kind = (kind, imagery);
-        self.draws.clear();
-        self.tiles = drawn.len() as u32;
-        let mut instances = Vec::new();
-        let mut draw = |by: Ground, indices: &Range<u32>, of: &dyn Fn(u32) -> bool| {
-            let first = instances.len() as u32;
-            let own = Ground { beach: Beach::Absent, ..by };
-            let here = drawn.iter().filter(|(ground, tile)| *ground == own && of(tile.beaches));
-            instances.extend(here.map(|(_, tile)| *tile));
-            let range = first..instances.len() as u32;
-            if !range.is_empty() {
-                self.draws.push(Draw { by, indices: indices.clone(), instances: range });
-            }
+        let beaches = with_room(beaches, 0, &mut room);
+        let shown = with_room(tiles.iter().map(|tile| tile.shown).collect(), ALL_BLOCKS, &mut room);
+        let of_tile = |((tile, beaches), shown): ((DrawnTile, u32), u32)| Part {
+            ground: ground(tile).shown(kind, imagery),
+            instance: Instance::new(tile.id, beaches),
+            shown,
         };
-        // Ground with relief, which is near, comes first, and beaches last: what has been drawn beside them hides the rest of their blocks.
-        let mut grounds: Vec<Ground> = Vec::new();
-        for (ground, _) in &drawn {
-            if !grounds.contains(ground) {
-                grounds.push(*ground);
-            }
-        }
-        grounds.sort_by_key(|ground| !ground.rugged);
-        for by in &grounds {
-            draw(Ground { beach: Beach::Beside, ..*by }, &whole, &|beaches| beaches != 0);
-            draw(*by, &whole, &|beaches| beaches == 0);
-        }
-        for by in &grounds {
-            for (block, indices) in self.blocks.iter().enumerate() {
-                draw(Ground { beach: Beach::Only, ..*by }, indices, &|beaches| beaches >> block & 1 != 0);
-            }
-        }
+        let parts: Vec<_> = tiles.iter().copied().zip(beaches).zip(shown).map(of_tile).collect();
+        self.kind = (kind, imagery);
+        self.tiles = parts.len() as u32;
+        let instances;
+        (self.draws, instances) = draws(&parts, &self.blocks);
         for draw in &self.draws {
             let pipeline = || pipeline(gpu, self.groups.each_ref(), self.formats, &source(kind, imagery, draw.by));
             self.pipelines.entry((kind, imagery, draw.by)).or_insert_with(pipeline);
@@ -302,6 +327,66 @@ fn pipeline(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_block_that_shows_is_drawn_once_and_once_more_for_its_beach() {
+        let (_, indices, blocks) = mesh();
+        let plain = Ground {
+            near: Near::Growth,
+            beach: Beach::Absent,
+            rugged: false,
+            town: false,
+            inland: false,
+            reefs: false,
+        };
+        let part = |x: u32, rugged: bool, beaches: u32, shown: u32| {
+            let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 10, x, y: 5 };
+            Part { ground: Ground { rugged, ..plain }, instance: Instance::new(id, beaches), shown }
+        };
+        let parts = [
+            part(0, false, 0, ALL_BLOCKS),
+            part(1, false, 0, 0x0ff0),
+            part(2, true, 0x0030, ALL_BLOCKS),
+            part(3, true, 0x0100, 0xff00),
+            part(4, false, 0, 0),
+        ];
+        let (draws, instances) = draws(&parts, &blocks);
+        for part in &parts {
+            let of_tile = |draw: &&Draw| {
+                instances[draw.instances.start as usize..draw.instances.end as usize]
+                    .iter()
+                    .any(|i| i.x == part.instance.x)
+            };
+            let triangles = |only: bool| {
+                let of_kind = draws.iter().filter(of_tile).filter(|draw| (draw.by.beach == Beach::Only) == only);
+                let mut found: Vec<_> = of_kind.flat_map(|draw| draw.indices.clone()).collect();
+                found.sort_unstable();
+                found
+            };
+            let wanted = |bits: u32| -> Vec<u32> {
+                (0..)
+                    .zip(&blocks)
+                    .filter(|(block, _)| bits >> block & 1 != 0)
+                    .flat_map(|(_, range)| range.clone())
+                    .collect()
+            };
+            assert_eq!(triangles(false), wanted(part.shown), "tile {}", part.instance.x);
+            assert_eq!(triangles(true), wanted(part.instance.beaches), "beaches of tile {}", part.instance.x);
+            let beside = draws.iter().filter(of_tile).filter(|draw| draw.by.beach == Beach::Beside).count();
+            assert_eq!(beside != 0, part.instance.beaches != 0);
+            assert!(draws.iter().filter(of_tile).all(|draw| draw.by.rugged == part.ground.rugged));
+        }
+        assert!(indices.len() as u32 == blocks[blocks.len() - 1].end && draws[0].by.rugged);
+    }
+
+    #[test]
+    fn blocks_have_so_much_room_and_no_more() {
+        let mut room = 9;
+        // Eight of beaches, four that do not fit, one; then of hidden ones' tiles none fits.
+        assert_eq!(with_room(vec![0xff, 0xf, 0, 1], 0, &mut room), [0xff, 0, 0, 1]);
+        assert_eq!(with_room(vec![0xf, ALL_BLOCKS], ALL_BLOCKS, &mut room), [ALL_BLOCKS; 2]);
+        assert_eq!(room, 0);
+    }
 
     #[test]
     fn blocks_are_the_grid_and_lie_where_descendants_of_their_tile_do() {

@@ -10,7 +10,7 @@ use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
 use ocean_globe::pass::land::GRID;
 use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
-use ocean_globe::scene::view::map_tiles::{DrawnTile, Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
+use ocean_globe::scene::view::map_tiles::{BLOCKS, DrawnTile, Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 360];
@@ -164,7 +164,7 @@ fn cells_are_wide_where_slopes_are_gentle_and_no_pixel_off_the_ground() {
 #[test]
 fn what_the_sea_hides_is_deep_ocean() {
     let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
-    let mut judged = 0;
+    let (mut judged, mut hidden_blocks) = (0, 0);
     // Coasts with islets, an archipelago, a shelf sea, the antimeridian, both polar maps; water of three densities.
     for (place, rho) in [
         ([28.8545, -13.792, 560.0, 253.0, 71.0], 0.2),
@@ -182,10 +182,26 @@ fn what_the_sea_hides_is_deep_ocean() {
         let camera = Camera::from_degrees(lat, lon, altitude_m, heading, tilt);
         let hiding = Hiding { depth_m: opaque_depth_m(rho), resolution_m: 9_277.0, beach_slope: 0.03 };
         load(&mut streaming, &mut world, &camera);
-        let [all, drawn] = [None, Some(hiding)].map(|hiding| drawn_ids(&camera, &streaming, hiding));
-        let hidden: Vec<_> = all.iter().filter(|id| !drawn.iter().any(|other| overlap(**id, *other))).collect();
+        let all = drawn_ids(&camera, &streaming, None);
+        let parts = drawn_tiles(&camera, SIZE, &streaming, Some(hiding), 1.0, None);
+        let drawn: Vec<_> = parts.iter().map(|tile| tile.id).collect();
+        let whole = all.into_iter().filter(|id| !drawn.iter().any(|other| overlap(*id, *other)));
+        let blocks = parts.iter().flat_map(|tile| {
+            let block = |x: u32, y: u32| TileId {
+                z: tile.id.z + 2,
+                x: tile.id.x * BLOCKS + x,
+                y: tile.id.y * BLOCKS + y,
+                ..tile.id
+            };
+            let is_shown = |x: u32, y: u32| tile.shown >> (y * BLOCKS + x) & 1 != 0;
+            let all = (0..BLOCKS).flat_map(|y| (0..BLOCKS).map(move |x| (x, y)));
+            all.filter(move |(x, y)| !is_shown(*x, *y)).map(move |(x, y)| block(x, y))
+        });
+        let blocks: Vec<_> = blocks.collect();
+        hidden_blocks += blocks.len();
+        let hidden: Vec<_> = whole.chain(blocks.iter().copied()).collect();
         for id in &hidden {
-            for (lat, lon) in places(**id) {
+            for (lat, lon) in places(*id) {
                 let sample = world.sample_blocking(lat, lon).unwrap();
                 let depth_m = sample.depth_m.unwrap_or_else(|| panic!("{id} of {place:?} holds land at {lat}, {lon}"));
                 // Half a texel's mix at the edge of a tile, and the rounding of distances, move the depth near the threshold.
@@ -194,9 +210,18 @@ fn what_the_sea_hides_is_deep_ocean() {
                 judged += 1;
             }
         }
-        println!("{place:?}: {} drawn, {} hidden", drawn.len(), hidden.len());
+        println!(
+            "{place:?}: {} drawn but for {} blocks, {} hidden",
+            drawn.len(),
+            blocks.len(),
+            hidden.len() - blocks.len()
+        );
     }
-    assert!(judged > 2_000, "only {judged} places judged");
+    // 81 places in each.
+    assert!(
+        judged > 81 * (hidden_blocks + 50) && hidden_blocks > 300,
+        "only {judged} places judged, {hidden_blocks} blocks"
+    );
 }
 
 #[test]

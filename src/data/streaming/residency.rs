@@ -1,6 +1,6 @@
 //! Which tiles of a layer the GPU's atlas holds, and in which slot: what is asked for, what makes room, when to ask again.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::tile_range::{Range, TileRange};
 use crate::data::SharedTexels;
@@ -23,17 +23,17 @@ struct Resident {
 
 /// The tiles of one layer.
 pub(super) struct Residency {
-    resident: HashMap<TileId, Resident>,
+    resident: FxHashMap<TileId, Resident>,
     /// The frame whose tiles shaders find.
     shown: u64,
     /// Of every tile that shaders find or that has such descendants: the range of all of these, metres.
-    at_and_below: HashMap<TileId, Range>,
+    at_and_below: FxHashMap<TileId, Range>,
     /// Tiles that show an inland water, or have descendants that do and that shaders find.
-    inland: HashSet<TileId>,
+    inland: FxHashSet<TileId>,
     /// Tiles that the archive lacks: their parents serve.
-    absent: HashSet<TileId>,
+    absent: FxHashSet<TileId>,
     /// Tiles that could not be had, and when to ask again, seconds: until then their parents serve.
-    failed: HashMap<TileId, f64>,
+    failed: FxHashMap<TileId, f64>,
     free: Vec<u32>,
     layer: Layer,
 }
@@ -42,12 +42,12 @@ impl Residency {
     /// No tile; slots 1 to `slots` - 1 are free, slot 0 is kept for what is shown before the first tile.
     pub(super) fn new(layer: Layer, slots: u32) -> Self {
         Self {
-            resident: HashMap::new(),
+            resident: FxHashMap::default(),
             shown: 0,
-            at_and_below: HashMap::new(),
-            inland: HashSet::new(),
-            absent: HashSet::new(),
-            failed: HashMap::new(),
+            at_and_below: FxHashMap::default(),
+            inland: FxHashSet::default(),
+            absent: FxHashSet::default(),
+            failed: FxHashMap::default(),
             free: (1..slots).rev().collect(),
             layer,
         }
@@ -66,7 +66,7 @@ impl Residency {
     pub(super) fn receive(&mut self, id: TileId, texels: &SharedTexels, now: u64) -> Option<u32> {
         let slot = self.free.pop().or_else(|| self.evict(now))?;
         let range = TileRange::new(texels);
-        let whole = self.metres(id, id.z, range.whole());
+        let whole = self.metres(id)(id.z, range.whole());
         // Wanted by no frame yet, and by none if it was only looked at; but not to be driven out by the next that comes.
         let resident = Resident { slot, last_used: now - 1, range, whole };
         self.resident.insert(id, resident);
@@ -131,7 +131,8 @@ impl Residency {
     pub(super) fn range(&self, id: TileId, coarsest: u8) -> Option<Range> {
         let serving = super::lineage(id).skip_while(|id| id.z > coarsest).find(|id| self.shown(id).is_some())?;
         let above = super::lineage(id).skip(1).take_while(|tile| tile.z >= serving.z);
-        let above = above.filter_map(|tile| Some(self.metres(id, tile.z, self.shown(&tile)?.range_in(id, tile.z))));
+        let in_metres = self.metres(id);
+        let above = above.filter_map(|tile| Some(in_metres(tile.z, self.shown(&tile)?.range_in(id, tile.z))));
         above.chain(self.at_and_below.get(&id).copied()).reduce(Range::union)
     }
 
@@ -141,17 +142,18 @@ impl Residency {
         self.inland.contains(&id) || serving.is_none_or(|(z, resident)| resident.shows_inland(id, z))
     }
 
-    /// Metres in `id` of a range of a tile of level `z`.
-    fn metres(&self, id: TileId, z: u8, range: Range) -> Range {
-        if self.layer == Layer::Terrain {
-            return range;
-        }
-        // A texel at the edge of a tile is a mix with its neighbour, whose distances differ by a texel at most.
-        let (least, greatest) = (range.least - 1.0, range.greatest + 1.0);
-        let [short, long] = texel_sizes_m(id, z);
-        Range {
-            least: least * if least > 0.0 { short } else { long },
-            greatest: greatest * if greatest > 0.0 { long } else { short },
+    /// Metres in `id` of a range of a tile of some level.
+    fn metres(&self, id: TileId) -> impl Fn(u8, Range) -> Range {
+        let sizes = (self.layer != Layer::Terrain).then(|| texel_sizes_m(id));
+        move |z, range| {
+            let Some([short, long]) = sizes else { return range };
+            let [short, long] = [short, long].map(|texel_m| texel_m * f64::from(1u32 << (id.z - z)));
+            // A texel at the edge of a tile is a mix with its neighbour, whose distances differ by a texel at most.
+            let (least, greatest) = (range.least - 1.0, range.greatest + 1.0);
+            Range {
+                least: least * if least > 0.0 { short } else { long },
+                greatest: greatest * if greatest > 0.0 { long } else { short },
+            }
         }
     }
 
@@ -164,7 +166,7 @@ impl Residency {
 }
 
 /// Adds a tile's range to its own and its ancestors' sums.
-fn widen(sums: &mut HashMap<TileId, Range>, id: TileId, range: Range) {
+fn widen(sums: &mut FxHashMap<TileId, Range>, id: TileId, range: Range) {
     for tile in super::lineage(id) {
         sums.entry(tile).and_modify(|sum| *sum = sum.union(range)).or_insert(range);
     }
@@ -192,14 +194,14 @@ fn texels_in(id: TileId, z: u8) -> ([i64; 2], [i64; 2]) {
     ([texel(id.x) - 1, texel(id.y) - 1], [last(id.x) + 1, last(id.y) + 1])
 }
 
-/// Of a texel of level `z` inside a tile: the shortest and the longest, metres on the ground.
-fn texel_sizes_m(id: TileId, z: u8) -> [f64; 2] {
+/// Of a texel of a tile: the shortest and the longest, metres on the ground. One of a level above is twice as wide.
+fn texel_sizes_m(id: TileId) -> [f64; 2] {
     let side = 2f64.powi(-i32::from(id.z));
     let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
     let sizes = corners.map(|(x, y)| {
         let at = [(f64::from(id.x) + x) * side, (f64::from(id.y) + y) * side];
         let (lat, _) = lat_lon_from_map(id.projection, at[0], at[1]);
-        texel_size_m(id.projection, z, lat)
+        texel_size_m(id.projection, id.z, lat)
     });
     [sizes.into_iter().fold(f64::INFINITY, f64::min), sizes.into_iter().fold(0.0, f64::max)]
 }

@@ -65,6 +65,23 @@ pub struct DrawnTile {
     pub id: TileId,
     /// Whether relief that the data do not hold may be seen on it.
     pub is_rugged: bool,
+    /// A bit for each block that the sea does not hide.
+    pub shown: u32,
+}
+
+/// Blocks along a side of a tile, two levels of tiles down: each may be hidden, and have beaches, by itself; equals `BLOCKS` in `shaders/land.wgsl`.
+pub const BLOCKS: u32 = 4;
+/// Bits of all of a tile's blocks.
+pub const ALL_BLOCKS: u32 = (1 << (BLOCKS * BLOCKS)) - 1;
+
+/// Where the sea hides fewer blocks of a tile all are drawn at once, which spares more than these take.
+const WORTH_HIDING: u32 = 4;
+
+/// Bits of a tile's blocks, row by row, of which `has` is true; it is of a tile if it is of one within it.
+pub fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
+    let within = |id: TileId| id.children().filter(|_| has(id)).into_iter().flatten();
+    let bit = |block: TileId| 1 << (block.y % BLOCKS * BLOCKS + block.x % BLOCKS);
+    within(id).flat_map(within).filter(|block| has(*block)).map(bit).sum()
 }
 
 /// How a sea hides its bed.
@@ -151,6 +168,13 @@ pub fn has_beach(id: TileId, tiles: &Streaming) -> bool {
 }
 
 impl Hiding {
+    /// Whether any ground in a tile is deep enough.
+    fn hides_some(self, id: TileId, tiles: &Streaming) -> bool {
+        let is_deep = |metres: Range| -metres.least >= self.depth_m;
+        tiles.elevations_m(id, id.z).is_some_and(is_deep)
+            && tiles.shore_m(id, id.z).is_some_and(|shore_m| shore_m.greatest > 0.0)
+    }
+
     /// Whether the ground in a tile is ocean all over, and deep enough, wherever shaders look at level `coarsest` or a finer one.
     fn hides(self, id: TileId, coarsest: u8, tiles: &Streaming) -> bool {
         let Some(shore_m) = tiles.shore_m(id, coarsest).map(|metres| metres.least) else { return false };
@@ -242,7 +266,14 @@ pub fn drawn_tiles(
         };
         Judged { shows, divisible: id.z < DEEPEST_RUGGED, finer, is_steep, ground_m }
     });
-    ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id) }).collect()
+    let shown = |id| {
+        let Some(hiding) = hiding.filter(|h| h.hides_some(id, tiles)) else { return ALL_BLOCKS };
+        let b = bounds(id);
+        let coarsest = coarsest_level(id, &b, b.centre.distance(visibility.eye) + b.radius, &visibility);
+        let shown = blocks_with(id, &|block| block == id || !hiding.hides(block, coarsest, tiles));
+        if (ALL_BLOCKS ^ shown).count_ones() < WORTH_HIDING { ALL_BLOCKS } else { shown }
+    };
+    ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id), shown: shown(id) }).collect()
 }
 
 /// How many times finer than usual the cells of a tile have to be for its slope: gentle ones look in wider cells as they do in usual ones, and take much less time.
