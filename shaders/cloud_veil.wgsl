@@ -52,10 +52,10 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let gap = water.returns - water.leaves;
     let way = stands - stretch.x - clamp(stands - water.leaves, 0.0, gap);
     let before = saturate(way / max(stretch.y - stretch.x - gap, 1.0));
-    // Half-way through closed clouds nothing is seen any more. Land that stands farther off than a sight is lowest or leaves their layer hides no more of
-    // them than that, or it would be a line across near ones; of what stands nearer it is not known which are behind.
+    // Half-way through closed clouds nothing is seen any more. Land that stands farther into their layer than where a sight is lowest or leaves it hides no
+    // more of them than that, or it would be a line across near ones; of what stands nearer it is not known which are behind.
     let lowest = select(1e9, -direction.z * SEMI_MINOR, direction.z < 0.0);
     let closed = (1.0 - pow(max(1.0 - seen.a, 1e-6), before)) / max(seen.a, 1e-4);
-    let share = mix(before, min(closed, 1.0), smoothstep(0.5, 1.0, stands / max(min(water.leaves, lowest), 1.0)));
+    let share = mix(before, min(closed, 1.0), smoothstep(0.5, 1.0, (stands - stretch.x) / max(min(water.leaves, lowest) - stretch.x, 1.0)));
     return seen * select(0.0, share, stretch.x < stretch.y);
 }
