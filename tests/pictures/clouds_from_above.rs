@@ -120,6 +120,27 @@ fn no_line_of_far_land_lies_across_near_clouds() {
 }
 
 #[test]
+fn no_ribbon_of_mountains_lies_across_clouds_near_the_limb() {
+    const SIZE: [u32; 2] = [640, 360];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // The Alps and the Apennines under closed clouds, seen from south of Sicily.
+    let pixels = picture(&mut renderer, "#view=34,18,400000,0,55&clouds=0.2&time=2026-08-02T14:00:00Z", SIZE);
+    let red = |x: u32, y: u32| pixels[(4 * (y * SIZE[0] + x)) as usize];
+    let mut least: Vec<f64> = (30..230)
+        .map(|x| {
+            let limb = (0..SIZE[1]).find(|y| red(x, *y) > 120).unwrap();
+            let mut below: Vec<u8> = (limb + 4..limb + 18).map(|y| red(x, y)).collect();
+            below.sort_unstable();
+            f64::from(below[0]) / f64::from(below[7])
+        })
+        .collect();
+    least.sort_by(f64::total_cmp);
+    println!("below the limb columns' darkest pixel has {:.3} of their middle one, in the median", least[100]);
+    // Gaps between clouds are so dark in some columns. 0.74 where what stands out of the layer hides what comes behind.
+    assert!(least[100] > 0.85, "{}", least[100]);
+}
+
+#[test]
 fn summits_above_the_clouds_stand_in_no_shadow() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // At 2,490 m, over slopes that stand before the sky as well.
