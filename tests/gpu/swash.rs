@@ -1,10 +1,14 @@
 //! Swash as the land's shader has it, against the model in f64.
 
+use std::f64::consts::TAU;
+
 use ocean_globe::data::tile::{MapPoint, Projection};
 use ocean_globe::data::world::World;
 use ocean_globe::model::GRAVITY;
-use ocean_globe::model::swash::{Arriving, CRESTS, RunUp, Sheet, crests};
+use ocean_globe::model::swash::{Arriving, CRESTS, RAYLEIGH_FIFTIETH, RunUp, Sheet, crests};
+use ocean_globe::model::wave_trains::{TRAINS, trains};
 use ocean_globe::scene::frame::Frame;
+use ocean_globe::scene::sea::Seas;
 use ocean_globe::scene::settings::{Settings, Wind};
 use ocean_globe::scene::view::camera::Camera;
 
@@ -108,7 +112,8 @@ fn fronts_move_as_the_models_sheets_do() {
     let mut world = World::open("www/data");
     let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
     let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
-    let at_second = |second: f64| Frame::new(&settings, &camera, 1_782_039_600.0 + second, [64; 2]);
+    let mut seas = Seas::default();
+    let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
     // The place that is nearest to the waterline.
     let mut places = places(&mut world, &camera, 23.0);
     places.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
@@ -141,4 +146,93 @@ fn fronts_move_as_the_models_sheets_do() {
     );
     // A crest's age runs within some hundredths of a second of the clock (`crests`), at 2 m/s: some hundredths of a metre in 0.77.
     assert!((median / -slows - 1.0).abs() < 0.15, "{bends:?}");
+}
+
+const HIGHEST: &str = "#import swash
+struct Asked { at: vec2u, x: f32, height: f32 }
+struct Found { covered: f32, square: f32 }
+@group(2) @binding(0) var<storage, read> asked: array<Asked>;
+@group(2) @binding(1) var<storage, read_write> found: array<Found>;
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&asked) { return; }
+    let a = asked[id.x];
+    let point = MapPoint(MERCATOR, a.at);
+    var trains: Arriving;
+    let share = arriving_at(point, false, &trains);
+    var square = 0.0;
+    for (var t = 0u; t < SHORE_TRAINS; t++) { square += dot(trains[t].yz, trains[t].yz); }
+    found[id.x] = Found(swash_at(point, vec2f(0.0), a.x, a.height, 0.06, 0.05, 0.02).covered, 0.5 * square);
+}";
+
+/// The water's highest places, as a camera on a beach finds them, against Stockdon's height that a fiftieth of the waves pass.
+#[test]
+fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
+    // A front turns at its highest place: half a second before, it is 7 cm below.
+    const STEP_S: f64 = 1.0;
+    const INSTANTS: usize = 1_200;
+    const SLOPE: f64 = 0.06;
+    // What the highest waves reach.
+    const FROM_M: f32 = 5.0;
+    const CELL_M: f32 = 0.25;
+    const CELLS: usize = 32;
+    let mut world = World::open("www/data");
+    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
+    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
+    let mut seas = Seas::default();
+    let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
+    // Places of the waterline so far apart that tongues of one do not reach the next.
+    let mut found = places(&mut world, &camera, 60.0);
+    found.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
+    let mut line: Vec<(f64, f64)> = Vec::new();
+    for (lat, lon, _) in found {
+        let away_m = |&(lat2, lon2): &(f64, f64)| 6.37e6 * (lat - lat2).hypot((lon - lon2) * lat.cos());
+        if line.len() < 10 && line.iter().all(|other| away_m(other) > 70.0) {
+            line.push((lat, lon));
+        }
+    }
+    let frame = at_second(0.0);
+    let (shores, mut asker) = (made(&mut world, &frame), Asker::new(HIGHEST));
+    let height = frame.sea.sea.hs_m;
+    let omega = trains(&frame.sea).unwrap().iter().map(|train| train.omega / TRAINS as f64).sum::<f64>();
+    let asked: Vec<[u32; 4]> = (line.iter().map(|&(lat, lon)| MapPoint::on(Projection::Mercator, lat, lon)))
+        .flat_map(|point| (1..=CELLS).map(move |cell| (point, FROM_M + cell as f32 * CELL_M)))
+        .map(|(point, x)| [point.u, point.v, x.to_bits(), (height as f32).to_bits()])
+        .collect();
+    // Of each place, where its front is by the instant, and the energy that comes to it.
+    let mut fronts = vec![Vec::new(); line.len()];
+    let mut energy = vec![0.0; line.len()];
+    for instant in 0..INSTANTS {
+        let found: Vec<[f32; 2]> = asker.found(&shores, &at_second(STEP_S * instant as f64), &asked);
+        for (place, cells) in found.chunks(CELLS).enumerate() {
+            let last = cells
+                .iter()
+                .rposition(|[covered, _]| *covered > 0.5)
+                .map_or(0.0, |last| FROM_M + (last as f32 + 1.5) * CELL_M);
+            fronts[place].push(last);
+            energy[place] += f64::from(cells[0][1]) / INSTANTS as f64;
+        }
+    }
+    let waves = STEP_S * INSTANTS as f64 * omega / TAU;
+    let mut off = Vec::new();
+    for (fronts, energy) in fronts.iter().zip(&energy) {
+        let mut highest: Vec<f32> = fronts
+            .windows(3)
+            .filter(|three| three[1] > three[0] && three[1] >= three[2])
+            .map(|three| three[1])
+            .collect();
+        highest.sort_by(|a, b| b.total_cmp(a));
+        let rise = SLOPE * f64::from(highest[(waves / 50.0).round() as usize]);
+        // As high as the waves are that come here.
+        let wanted = RunUp::new(height, omega, SLOPE).of(RAYLEIGH_FIFTIETH * 4.0 * energy.sqrt() / height);
+        println!(
+            "{:.3} of {height:.3} m come, {rise:.3} m for {wanted:.3}, {} of {waves:.0} waves",
+            4.0 * energy.sqrt(),
+            highest.len()
+        );
+        off.push(rise / wanted - 1.0);
+    }
+    let mean = off.iter().sum::<f64>() / off.len() as f64;
+    println!("{mean:.3} off, {off:.3?}");
+    assert!(mean.abs() < 0.05, "{off:?}");
 }

@@ -145,6 +145,48 @@ fn waves_come_round_an_island() {
     }
 }
 
+/// Against rays, which no grid holds: d(k t)/ds = grad k along the unit vector t of a ray.
+#[test]
+fn waves_turn_to_a_round_island_as_rays_do() {
+    // 600 m in radius, on a bed that falls one in thirty to 60 m; waves to the south.
+    let (side, step, omega, slope) = (128, 67.0, TAU / 10.0, 1.0 / 30.0);
+    let centre = 0.5 * side as f64 * step;
+    let from_shore = |[x, y]: [f64; 2]| (x - centre).hypot(y - centre) - 600.0;
+    let depth = |d: f64| (d * slope).clamp(-1.0, 60.0);
+    let bed = bed(side, step, |x, y| (depth(from_shore([x, y])), from_shore([x, y])));
+    let found = arrivals(&bed, omega, [0.0, 1.0]);
+    let k = |at: [f64; 2]| dispersion::wavenumber(omega, depth(from_shore(at)));
+    // Down the gradient of depth, by differences of a metre.
+    let gradient =
+        |[x, y]: [f64; 2]| [0.5 * (k([x + 1.0, y]) - k([x - 1.0, y])), 0.5 * (k([x, y + 1.0]) - k([x, y - 1.0]))];
+    let (mut off, mut most_turned) = (Vec::new(), 0.0f64);
+    for ray in -36..=36 {
+        let mut at = [centre + 45.0 * f64::from(ray), 0.0];
+        let mut wave = [0.0, k(at)];
+        // To the height of the middle, before rays cross; until the swell feels the last two metres.
+        while at[1] < centre && from_shore(at) * slope > 2.0 {
+            let middle: [f64; 2] = std::array::from_fn(|axis| at[axis] + wave[axis] / wave[0].hypot(wave[1]));
+            let rise = gradient(middle);
+            wave = std::array::from_fn(|axis| wave[axis] + 2.0 * rise[axis]);
+            let length = wave[0].hypot(wave[1]);
+            at = std::array::from_fn(|axis| middle[axis] + wave[axis] / length);
+            let node = at.map(|part| (part / step).round());
+            if (at[0] - node[0] * step).hypot(at[1] - node[1] * step) < 2.0 && depth(from_shore(at)) < 30.0 {
+                let way = found.way[node[1] as usize * side + node[0] as usize];
+                let angle = wave[0].atan2(wave[1]);
+                off.push((way[0].atan2(way[1]) - angle).to_degrees());
+                most_turned = most_turned.max(angle.to_degrees().abs());
+            }
+        }
+    }
+    let mean = off.iter().map(|off| off.abs()).sum::<f64>() / off.len() as f64;
+    let most = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
+    println!("{} places, turned by up to {most_turned:.1}°: {mean:.2}° off, {most:.2}° at most", off.len());
+    assert!(off.len() > 60 && most_turned > 25.0, "{} {most_turned}", off.len());
+    // The upwind difference is of first order, as on a straight beach, where that costs 1.6 degrees.
+    assert!(mean < 0.5 && most < 2.0, "{mean} {most}: {off:.2?}");
+}
+
 #[test]
 fn shoaling_of_the_design() {
     let h = 5.0;

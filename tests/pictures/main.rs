@@ -6,6 +6,7 @@ mod bench;
 mod clouds;
 mod clouds_from_above;
 mod edges;
+mod fetch;
 mod flight;
 mod geoid;
 mod hidden_window;
