@@ -1,6 +1,7 @@
-//! Surf from the air: crests that break are long white lines along the beach, not flecks.
+//! Surf from the air: crests that break are long white lines along the beach, not flecks, and as white from afar as from near.
 
 use ocean_globe::cli::render::{self, LayerName};
+use ocean_globe::data::world::World;
 use ocean_globe::renderer::Radiance;
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
@@ -42,4 +43,49 @@ fn breakers_are_long_lines_along_the_shore() {
     println!("surf is alike by {along:.3} 60 m along the shore, by {across:.3} between two crests");
     // Flecks have 0.04 and 0.03.
     assert!(along > 0.15 && along > across + 0.1, "{along} along, {across} across");
+}
+
+/// Distances from the shore, m, between which waves break.
+const BREAKS_M: std::ops::Range<f64> = 10.0..150.0;
+
+#[test]
+fn surf_is_as_white_from_10_km_as_from_120_m() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let mut world = World::open(DATA);
+    let mut whites = Vec::new();
+    // Straight down on the same beach, in pixels of half a metre, 2.6 m and 46 m; in the middle of the surf and where 10 km are in view.
+    for (lon, altitude_m, instants) in [(4.5212, 120, 4), (4.5181, 560, 2), (4.5181, 10_000, 1)] {
+        let (mut white, mut dark, mut count) = (0.0, 0.0, 0);
+        for instant in 0..instants {
+            let link = format!(
+                "#view=52.372,{lon},{altitude_m},25,0&wind=9@295&time=2026-03-03T12:40:{:02}Z&clouds=0",
+                7 * instant
+            );
+            let mut green = |layers: &str, name| {
+                let state = render::parse_state(&format!("{link}{layers}")).unwrap();
+                render::measure(&mut renderer, &state, SIZE, name).unwrap().values
+            };
+            let places = green("", LayerName::Lonlat);
+            let [foam, bare] = ["", "&layers=-foam"].map(|layers| green(layers, LayerName::Radiance));
+            for (pixel, place) in places.chunks_exact(2).enumerate().step_by(3) {
+                let found = world.sample_blocking(place[1].to_radians(), place[0].to_radians()).unwrap();
+                if found.shore_distance_m.is_some_and(|away_m| BREAKS_M.contains(&away_m)) {
+                    white += foam[3 * pixel + 1] - bare[3 * pixel + 1];
+                    dark += bare[3 * pixel + 1];
+                    count += 1;
+                }
+            }
+        }
+        println!(
+            "{altitude_m} m: {count} pixels, {:.4} without foam, {:.4} more with it",
+            dark / f64::from(count),
+            white / f64::from(count)
+        );
+        whites.push([white / f64::from(count), white / dark]);
+    }
+    // Four instants of 100 m of shore are a few waves: a tenth or two more or less. A pixel from 10 km holds two or three of them.
+    for [white, _] in &whites {
+        assert!((white / whites[1][0] - 1.0).abs() < 0.25, "{whites:?}");
+    }
+    assert!(whites[2][1] > 0.2, "a white seam: {whites:?}");
 }
