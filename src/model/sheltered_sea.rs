@@ -64,13 +64,14 @@ impl Exposure {
     /// Nothing in the way.
     pub const OPEN: Self = Self { fetch_m: FARTHEST_M, clearance: f64::INFINITY };
 
-    /// V, 0 to 1: the share of the energy of waves of a length in metres that comes past the shore.
+    /// V, 0 to 1: the share of the energy of waves of a length in metres that comes past the shore. About that of Fresnel's at the edge of a half plane,
+    /// without its fringes; in clear water as near to 1 as leaves a sea of many directions the energy that it has there.
     pub fn passed(self, wavelength_m: f64) -> f64 {
         if self.clearance == f64::INFINITY || wavelength_m <= 0.0 {
             return if self.clearance >= 0.0 { 1.0 } else { 0.0 };
         }
         let v = self.clearance * libm::sqrt(2.0 / wavelength_m);
-        if v < 0.0 { 1.0 / (4.0 - 5.8 * v + 2.0 * PI * PI * v * v) } else { 1.0 - 0.75 * libm::exp(-2.0 * v) }
+        if v < 0.0 { 1.0 / (4.0 - 5.8 * v + 2.0 * PI * PI * v * v) } else { 1.0 - 0.75 * libm::exp(-2.5 * v) }
     }
 }
 
