@@ -10,7 +10,8 @@ const ICE_FIBROUS = 0.22;                       // variance of the logarithm of 
 // deviation above it, of what stands over them and of what the wind takes from there, and how far that is.
 const ANVIL_FROM = vec2f(0.9, 1.3);
 const ANVIL_TUFTED = vec2f(0.35, 0.25);
-const ANVIL_DEPTH = vec2f(2.5, 0.5);
+const ANVIL_DEPTH = vec2f(3.0, 0.5);
+const ANVIL_THIN = 0.4;              // of that, where it stands over them: they thin out towards their edges, and small ones are thin all over
 const ANVIL_BLOWN: Metres = 90000.0;
 const ANVIL_LEFT = 0.35;
 const ANVIL_TORN = vec3f(9000.0, -14000.0, 12000.0);
@@ -23,7 +24,7 @@ fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let wind = place + 55000.0 * vec3f(cloud_noise(place / 300000.0, 11u), cloud_noise(place / 300000.0, 12u), cloud_noise(place / 250000.0, 13u));
     let tufts = vec2f(ice_shown(footprint, ICE_TUFTS.x), ice_shown(footprint, ICE_TUFTS.y))
-        * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.6, 0.6, 1.0) / ICE_TUFTS.y, 15u));
+        * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.3, 0.3, 1.0) / ICE_TUFTS.y, 15u));
     let trails = (wind + vec3f(0.0, 0.0, dot(ICE_TRAILS, tufts))) * vec3f(0.06, 0.06, 1.0);
     let above = max(cloud_weather(place).y + dot(ICE_TUFTED, tufts), 0.0);
     let sin_lat = place.z / length(place);
@@ -46,5 +47,5 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
         if i == 6u || footprint >= 0.25 * cell { break; }
     }
     let fibrous = exp(dense);
-    return fibrous * (0.22 * above * above / (1.0 + 0.5 * above) + ANVIL_DEPTH.y * anvil.y) + ANVIL_DEPTH.x * anvil.x * mix(fibrous, 1.0, 0.7 * saturate(anvil.x));
+    return fibrous * (0.22 * above * above / (1.0 + 0.5 * above) + ANVIL_DEPTH.y * anvil.y) + ANVIL_DEPTH.x * anvil.x * anvil.x / (anvil.x + ANVIL_THIN) * mix(fibrous, 1.0, 0.7 * saturate(anvil.x));
 }

@@ -22,10 +22,27 @@ fn air_mass(mu: f64) -> f64 {
     1.0 / (mu.max(0.0) + 0.50572 * libm::pow(elevation_deg + 6.07995, -1.6364))
 }
 
-/// Irradiance of level ground by sun and sky at about 550 nm, in units of the sun's beyond the air, by the sine of the sun's elevation.
-pub fn irradiance(mu: f64) -> f64 {
+/// What the sun's beam has on its way down and what of it is scattered down, for each part of the sun's that is not.
+fn passed(mu: f64) -> f64 {
     let m = air_mass(mu);
     let (scattered, absorbed) = (libm::exp(-SCATTERING * m), libm::exp(-ABSORPTION * m));
-    let sunset = AT_SUNSET * libm::exp2(-mu.abs() / HALVED_BY);
-    mu.max(0.0) * absorbed * (scattered + FORWARD * (1.0 - scattered)) + sunset
+    absorbed * (scattered + FORWARD * (1.0 - scattered))
+}
+
+/// Light of a sky whose sun is at the horizon.
+fn dusk(mu: f64) -> f64 {
+    AT_SUNSET * libm::exp2(-mu.abs() / HALVED_BY)
+}
+
+/// Irradiance of level ground by sun and sky at about 550 nm, in units of the sun's beyond the air, by the sine of the sun's elevation.
+pub fn irradiance(mu: f64) -> f64 {
+    mu.max(0.0) * passed(mu) + dusk(mu)
+}
+
+/// Irradiance of what faces the sun, likewise: of its beam, and of half of the sky.
+pub fn facing_the_sun(mu: f64) -> f64 {
+    let m = air_mass(mu);
+    let beam = if mu > 0.0 { libm::exp(-(SCATTERING + ABSORPTION) * m) } else { 0.0 };
+    let sky = irradiance(mu) - mu.max(0.0) * beam;
+    beam + 0.5 * (1.0 + mu.max(0.0)) * sky
 }

@@ -86,6 +86,31 @@ fn a_low_sun_does_not_burn_the_sky_about_it() {
     }
 }
 
+/// What so many of a list in order are below.
+fn quantile(of: &[u8], share: f64) -> f64 {
+    f64::from(of[(share * of.len() as f64) as usize])
+}
+
+#[test]
+fn clouds_in_a_low_sun_keep_their_relief_from_above() {
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let size = [320, 180];
+    // Heaps over the Atlantic, the sun at 25 and at 12 degrees.
+    for view in ["18,-40,3000,240,80&time=2026-06-21T19:30:00Z", "18,-40,9000,240,65&time=2026-06-21T20:30:00Z"] {
+        let state = render::parse_state(&format!("#view={view}")).unwrap();
+        let (_, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();
+        let pixels = renderer.gpu().read_texture(&target, 0, 0).unwrap();
+        // Below the sky, which is another thing.
+        let below = pixels.len() / 2;
+        let mut green: Vec<u8> = pixels[below..].chunks_exact(4).map(|pixel| pixel[1]).collect();
+        green.sort_unstable();
+        let [low, high, bright] = [0.25, 0.75, 0.95].map(|share| quantile(&green, share));
+        println!("{view}: half of the clouds between {low} and {high}, a twentieth above {bright}");
+        // Exposed for level ground they were 29 and 45 of 255 apart, and a tenth of them from 239 on.
+        assert!(high - low > 40.0 && bright < 238.0, "{view}: {low} {high} {bright}");
+    }
+}
+
 #[test]
 fn the_display_has_the_tone_of_agx() {
     // A grey card in the light that the exposure is metered for.

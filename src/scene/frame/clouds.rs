@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::overcast;
-use crate::scene::frame::exposure::into_sun;
+use crate::scene::frame::exposure::{facing_the_sun, into_sun};
 use crate::scene::frame::rim;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
@@ -55,6 +55,10 @@ const EXPOSED_FOR: f64 = 0.67;
 /// Heights between which an eye comes to have its picture exposed for sunlit clouds below it, metres, and where that is half of what it is before
 /// space, from where clouds are but a part of what is seen.
 const OVER_THEM_M: [f64; 3] = [3_000.0, 9_000.0, 80_000.0];
+/// Heights between which an eye comes to have its picture exposed for the sides of clouds that face the sun, metres.
+const BESIDE_THEM_M: [f64; 2] = [1_000.0, 3_000.0];
+/// Share of the ground that they cover from which on it is: they are the brightest of what is seen.
+const BESIDE_THEM: f64 = 0.3;
 /// How many times more light clouds all over the ground send up than a picture is exposed for; ours, of some that leave their tops shaded.
 const OVER_THEM: f64 = 0.6;
 
@@ -92,6 +96,9 @@ pub fn set_clouds(
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
         u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
         u.exposure /= (1.0 + OVER_THEM * over * share * share) as f32;
+        let beside = (share / BESIDE_THEM).min(1.0) * risen(BESIDE_THEM_M[0], BESIDE_THEM_M[1])
+            / (1.0 + (camera.altitude_m / half).powi(2));
+        u.exposure *= libm::pow(facing_the_sun(sun.z), beside) as f32;
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;

@@ -44,6 +44,13 @@ pub fn into_sun(towards: f64, mu: f64, altitude_m: f64) -> f64 {
     1.0 / (1.0 + INTO_SUN * glow * libm::pow(towards.max(0.0), 3.0))
 }
 
+/// Factor of the exposure near the ground for what faces the sun, where the sine of its elevation is `mu`: a low sun that lights level ground little burns the
+/// sides of clouds.
+pub fn facing_the_sun(mu: f64) -> f64 {
+    let light = metered(mu);
+    light / daylight::facing_the_sun(mu).max(light)
+}
+
 /// Irradiance that a picture is exposed for.
 fn metered(mu: f64) -> f64 {
     let light = libm::hypot(daylight::irradiance(mu), NIGHT);
