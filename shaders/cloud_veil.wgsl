@@ -1,13 +1,14 @@
 // Clouds that clouds.wgsl has drawn into a smaller picture, laid over the whole one. What stands among them or before them, a mountain, is
-// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. From space (`GLOBE`) nothing does,
-// and no depth has been drawn. `GLOBE` and `SCALE` are of src/pass/clouds.rs.
+// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. From space nothing does near the limb,
+// and of the whole globe (`GLOBE`) nothing at all: no depth has been drawn. `GLOBE` and `SCALE` are of src/pass/clouds.rs.
 #import full_screen
 #import cloud_layer
 
 @group(1) @binding(0) var scene_depth: texture_depth_2d;
 @group(1) @binding(1) var small: texture_2d<f32>;
 
-const FROM_SPACE = vec2f(6e4, 2.5e5); // heights of the eye, m, between which clouds come before all mountains: ours
+const FROM_SPACE = vec2f(6e4, 2.5e5); // heights of the eye, m, between which clouds come before all mountains,
+const SLANTING = vec2f(0.8, 0.5);       // and sines of a sight's descent, between which they do; ours
 const SHARPENED = 0.7;      // how much more than their mean the nearest four count, against a ring of four about them
 
 // What the smaller picture shows at a pixel. Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
@@ -58,6 +59,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let lowest = select(1e9, -direction.z * SEMI_MINOR, direction.z < 0.0);
     let closed = (1.0 - pow(max(1.0 - seen.a, 1e-6), before)) / max(seen.a, 1e-4);
     let share = mix(before, min(closed, 1.0), smoothstep(0.5, 1.0, (stands - stretch.x) / max(min(water.leaves, lowest) - stretch.x, 1.0)));
-    // Clouds lie higher over mountains than this layer does: what stands out of it would be a ribbon near the limb. Seen from where there is one, none does.
-    return seen * mix(select(0.0, share, stretch.x < stretch.y), 1.0, smoothstep(FROM_SPACE.x, FROM_SPACE.y, frame.eye_altitude));
+    // Clouds lie higher over mountains than this layer does: what stands out of it would be a ribbon towards the limb. Seen from where there is one, none does.
+    let over = smoothstep(FROM_SPACE.x, FROM_SPACE.y, frame.eye_altitude) * smoothstep(SLANTING.x, SLANTING.y, -direction.z);
+    return seen * mix(select(0.0, share, stretch.x < stretch.y), 1.0, over);
 }

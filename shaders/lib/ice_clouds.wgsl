@@ -7,11 +7,11 @@ const ICE_TRAILS = vec2f(1500.0, 350.0);        // metres by which each bends th
 const ICE_FIBRES: Metres = 4000.0;              // as far apart are the widest
 const ICE_FIBROUS = 0.22;                       // variance of the logarithm of the depth, of the widest
 // Deep clouds spread out at their tops: levels of water clouds from which on they do, less in the tropics, where each stands alone; optical depth for a
-// deviation above it, of what stands over them and of what the wind takes from there, and how far that is.
+// deviation above it, of what stands over them, but for the edges, and of what the wind takes from there, and how far that is.
 const ANVIL_FROM = vec2f(0.9, 1.3);
 const ANVIL_TUFTED = vec2f(0.35, 0.25);
 const ANVIL_DEPTH = vec2f(3.0, 0.5);
-const ANVIL_THIN = 0.4;              // of that, where it stands over them: they thin out towards their edges, and small ones are thin all over
+const ANVIL_THIN = 0.4;              // deviations above it: what stands over them thins out towards its edges, and small ones are thin all over
 const ANVIL_BLOWN: Metres = 90000.0;
 const ANVIL_LEFT = 0.35;
 const ANVIL_TORN = vec3f(9000.0, -14000.0, 12000.0);
@@ -24,11 +24,13 @@ fn ice_shown(footprint: Metres, cell: Metres) -> f32 { return 1.0 - smoothstep(0
 fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let wind = place + 55000.0 * vec3f(cloud_noise(place / 300000.0, 11u), cloud_noise(place / 300000.0, 12u), cloud_noise(place / 250000.0, 13u));
     let tufts = vec2f(ice_shown(footprint, ICE_TUFTS.x), ice_shown(footprint, ICE_TUFTS.y))
-        * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.3, 0.3, 1.0) / ICE_TUFTS.y, 15u));
+        * vec2f(cloud_noise(wind * vec3f(0.5, 0.5, 1.0) / ICE_TUFTS.x, 14u), cloud_noise(wind * vec3f(0.6, 0.6, 1.0) / ICE_TUFTS.y, 15u));
     let trails = (wind + vec3f(0.0, 0.0, dot(ICE_TRAILS, tufts))) * vec3f(0.06, 0.06, 1.0);
     let above = max(cloud_weather(place).y + dot(ICE_TUFTED, tufts), 0.0);
     let sin_lat = place.z / length(place);
-    let from_level = dot(ANVIL_TUFTED, tufts) - max(frame.cloud_shift, 0.0) - mix(ANVIL_FROM.x, ANVIL_FROM.y, smoothstep(0.2, 0.6, abs(sin_lat)));
+    // What the wind draws out of their shields is longer.
+    let shield = vec2f(tufts.x, ice_shown(footprint, ICE_TUFTS.y) * cloud_noise(wind * vec3f(0.3, 0.3, 1.0) / ICE_TUFTS.y, 16u));
+    let from_level = dot(ANVIL_TUFTED, shield) - max(frame.cloud_shift, 0.0) - mix(ANVIL_FROM.x, ANVIL_FROM.y, smoothstep(0.2, 0.6, abs(sin_lat)));
     let west = normalize(vec3f(place.y, -place.x, 1.0));
     // Where all is overcast no more of them are deep.
     let torn = wind + ANVIL_TORN * tufts.x;

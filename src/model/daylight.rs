@@ -39,7 +39,7 @@ pub fn irradiance(mu: f64) -> f64 {
     mu.max(0.0) * passed(mu) + dusk(mu)
 }
 
-/// Irradiance of what faces the sun, likewise: of its beam, and of half of the sky.
+/// Irradiance of what faces the sun, likewise: of its beam, and of the sky that lies before it.
 pub fn facing_the_sun(mu: f64) -> f64 {
     let m = air_mass(mu);
     let beam = if mu > 0.0 { libm::exp(-(SCATTERING + ABSORPTION) * m) } else { 0.0 };

@@ -168,9 +168,9 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
 /// The water's highest places, as a camera on a beach finds them, against Stockdon's height that a fiftieth of the waves pass.
 #[test]
 fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
-    // A front turns at its highest place: half a second before, it is 7 cm below.
+    // A front turns at its highest place: half a second before, it is 7 cm farther down the beach.
     const STEP_S: f64 = 1.0;
-    const INSTANTS: usize = 1_200;
+    const INSTANTS: usize = 400;
     const SLOPE: f64 = 0.06;
     // What the highest waves reach.
     const FROM_M: f32 = 5.0;
@@ -178,9 +178,6 @@ fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
     const CELLS: usize = 32;
     let mut world = World::open("www/data");
     let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
-    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
-    let mut seas = Seas::default();
-    let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
     // Places of the waterline so far apart that tongues of one do not reach the next.
     let mut found = places(&mut world, &camera, 60.0);
     found.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
@@ -191,48 +188,43 @@ fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
             line.push((lat, lon));
         }
     }
-    let frame = at_second(0.0);
-    let (shores, mut asker) = (made(&mut world, &frame), Asker::new(HIGHEST));
-    let height = frame.sea.sea.hs_m;
-    let omega = trains(&frame.sea).unwrap().iter().map(|train| train.omega / TRAINS as f64).sum::<f64>();
-    let asked: Vec<[u32; 4]> = (line.iter().map(|&(lat, lon)| MapPoint::on(Projection::Mercator, lat, lon)))
-        .flat_map(|point| (1..=CELLS).map(move |cell| (point, FROM_M + cell as f32 * CELL_M)))
-        .map(|(point, x)| [point.u, point.v, x.to_bits(), (height as f32).to_bits()])
-        .collect();
-    // Of each place, where its front is by the instant, and the energy that comes to it.
-    let mut fronts = vec![Vec::new(); line.len()];
-    let mut energy = vec![0.0; line.len()];
-    for instant in 0..INSTANTS {
-        let found: Vec<[f32; 2]> = asker.found(&shores, &at_second(STEP_S * instant as f64), &asked);
-        for (place, cells) in found.chunks(CELLS).enumerate() {
-            let last = cells
-                .iter()
-                .rposition(|[covered, _]| *covered > 0.5)
-                .map_or(0.0, |last| FROM_M + (last as f32 + 1.5) * CELL_M);
-            fronts[place].push(last);
-            energy[place] += f64::from(cells[0][1]) / INSTANTS as f64;
+    assert_eq!(line.len(), 10, "places of the waterline");
+    // Highest places over Stockdon's, of all seas.
+    let (mut highest, mut waves) = (Vec::new(), 0.0);
+    for seed in 1..=4 {
+        let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, seed, ..Settings::default() };
+        let mut seas = Seas::default();
+        let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
+        let frame = at_second(0.0);
+        let (shores, mut asker) = (made(&mut world, &frame), Asker::new(HIGHEST));
+        let height = frame.sea.sea.hs_m;
+        let omega = trains(&frame.sea).unwrap().iter().map(|train| train.omega / TRAINS as f64).sum::<f64>();
+        let asked: Vec<[u32; 4]> = (line.iter().map(|&(lat, lon)| MapPoint::on(Projection::Mercator, lat, lon)))
+            .flat_map(|point| (1..=CELLS).map(move |cell| (point, FROM_M + cell as f32 * CELL_M)))
+            .map(|(point, x)| [point.u, point.v, x.to_bits(), (height as f32).to_bits()])
+            .collect();
+        // Of each place, where its front is by the instant, and the energy that comes to it.
+        let mut fronts = vec![Vec::new(); line.len()];
+        let mut energy = vec![0.0; line.len()];
+        for instant in 0..INSTANTS {
+            let found: Vec<[f32; 2]> = asker.found(&shores, &at_second(STEP_S * instant as f64), &asked);
+            for (place, cells) in found.chunks(CELLS).enumerate() {
+                let last = cells.iter().rposition(|[covered, _]| *covered > 0.5);
+                fronts[place].push(last.map_or(0.0, |last| FROM_M + (last as f32 + 1.5) * CELL_M));
+                energy[place] += f64::from(cells[0][1]) / INSTANTS as f64;
+            }
+        }
+        waves += STEP_S * INSTANTS as f64 * omega / TAU * line.len() as f64;
+        for (fronts, energy) in fronts.iter().zip(&energy) {
+            // As high as the waves are that come here.
+            let wanted = RunUp::new(height, omega, SLOPE).of(RAYLEIGH_FIFTIETH * 4.0 * energy.sqrt() / height);
+            let turns = fronts.windows(3).filter(|three| three[1] > three[0] && three[1] >= three[2]);
+            highest.extend(turns.map(|three| SLOPE * f64::from(three[1]) / wanted));
         }
     }
-    let waves = STEP_S * INSTANTS as f64 * omega / TAU;
-    let mut off = Vec::new();
-    for (fronts, energy) in fronts.iter().zip(&energy) {
-        let mut highest: Vec<f32> = fronts
-            .windows(3)
-            .filter(|three| three[1] > three[0] && three[1] >= three[2])
-            .map(|three| three[1])
-            .collect();
-        highest.sort_by(|a, b| b.total_cmp(a));
-        let rise = SLOPE * f64::from(highest[(waves / 50.0).round() as usize]);
-        // As high as the waves are that come here.
-        let wanted = RunUp::new(height, omega, SLOPE).of(RAYLEIGH_FIFTIETH * 4.0 * energy.sqrt() / height);
-        println!(
-            "{:.3} of {height:.3} m come, {rise:.3} m for {wanted:.3}, {} of {waves:.0} waves",
-            4.0 * energy.sqrt(),
-            highest.len()
-        );
-        off.push(rise / wanted - 1.0);
-    }
-    let mean = off.iter().sum::<f64>() / off.len() as f64;
-    println!("{mean:.3} off, {off:.3?}");
-    assert!(mean.abs() < 0.05, "{off:?}");
+    highest.sort_by(|a, b| b.total_cmp(a));
+    let found = highest[(waves / 50.0).round() as usize];
+    println!("a fiftieth of {waves:.0} waves runs up {found:.3} times as far as Stockdon has it");
+    // The model's 5 %; of so many waves, those of neighbouring places alike in part, chance makes 3 %.
+    assert!((found - 1.0).abs() < 0.05, "{found}");
 }

@@ -49,7 +49,7 @@ fn waves_behind_a_wall_are_as_high_as_diffraction_theory_has_them() {
         let place = [-10.0 * length_m * sin, -10.0 * length_m * cos];
         let energy: f64 = (0..DIRECTIONS).map(|i| shares[i] * behind_wall(place, i).passed(length_m)).sum();
         println!("{angle_deg} deg: {:.3}, expected {expected}", energy.sqrt());
-        // V is within 0.04 of the solution.
+        // Within what the 24 directions leave: with many more it is 0.683 straight behind the tip.
         assert!((energy.sqrt() - expected).abs() < 0.04, "{angle_deg}: {}", energy.sqrt());
     }
 }

@@ -8,11 +8,9 @@ use ocean_globe::model::sheltered_sea::young_verhagen;
 use ocean_globe::renderer::Radiance;
 use ocean_globe::scene::time::SceneTime;
 
-use crate::plane_beach::{DEGREE_M, WITHIN_DEG};
+use crate::plane_beach::{DEGREE_M, SHORE_DEG, WITHIN_DEG};
 use crate::small_world;
 
-/// Longitude of the small world's straight eastern shore, degrees.
-const SHORE_DEG: f64 = 60.0;
 const SIZE: [u32; 2] = [320, 320];
 
 /// Significant height where the wind blows straight off a straight shore so far away: each direction's part of a wind sea (cos²ˢ of half the angle,
@@ -35,7 +33,7 @@ fn drawn_waves_off_a_lee_shore_are_as_high_as_the_fetch_lets_them_grow() {
     let folder = small_world::baked("fetch");
     let mut renderer = render::headless(folder.path().to_str().unwrap(), Radiance::Single).unwrap();
     for (speed_mps, way_m) in [(12.0, 12e3), (20.0, 40e3)] {
-        // Six waves across a picture, of cells that hold a fiftieth of one.
+        // Five waves across a picture, of cells that hold a fiftieth of one.
         let length_m = GRAVITY * young_verhagen(speed_mps, way_m, f64::INFINITY).1.powi(2) / TAU;
         let link = format!(
             "#view={WITHIN_DEG},{},{:.0},0,0&wind={speed_mps}@270&surf=1,0.3&clouds=0",
@@ -54,7 +52,7 @@ fn drawn_waves_off_a_lee_shore_are_as_high_as_the_fetch_lets_them_grow() {
         }
         let (found, wanted) = (4.0 * (square / count as f64).sqrt(), off_a_straight_shore(speed_mps, way_m));
         println!("{speed_mps} m/s over {way_m} m: {found:.3} m for {wanted:.3}");
-        // As the model's gains (`sheltered_sea`), 6 %; cells lose 3 % and eight seas leave 3.
-        assert!((found / wanted - 1.0).abs() < 0.08, "{found} {wanted}");
+        // As the model's gains (`sheltered_sea`), 6 %; cells lose 4 % and eight seas leave 4.
+        assert!((found / wanted - 1.0).abs() < 0.1, "{found} {wanted}");
     }
 }

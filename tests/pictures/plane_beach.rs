@@ -13,7 +13,7 @@ use ocean_globe::scene::sea::Seas;
 use crate::small_world::{self, Folder};
 
 /// Longitude of the small world's eastern shore, degrees: at 60, by the whole 32nd of a texel that distances are stored in.
-const SHORE_DEG: f64 = 60.001_831_05;
+pub const SHORE_DEG: f64 = 60.001_831_05;
 /// Metres on the ground of a degree of longitude at the equator.
 pub const DEGREE_M: f64 = 111_319.491;
 /// How far from the shore its bed is looked up, m.

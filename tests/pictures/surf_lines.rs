@@ -76,6 +76,10 @@ fn surf_is_as_white_from_10_km_as_from_120_m() {
                 }
             }
         }
+        // What the air before it takes: molecules and a sea's aerosol, 8 and 1.5 km high.
+        let height_m = f64::from(altitude_m);
+        let through = (-0.10 * (1.0 - (-height_m / 8e3).exp()) - 0.08 * (1.0 - (-height_m / 1.5e3).exp())).exp();
+        white /= through;
         println!(
             "{altitude_m} m: {count} pixels, {:.4} without foam, {:.4} more with it",
             dark / f64::from(count),

@@ -95,7 +95,7 @@ fn quantile(of: &[u8], share: f64) -> f64 {
 fn clouds_in_a_low_sun_keep_their_relief_from_above() {
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
     let size = [320, 180];
-    // Heaps over the Atlantic, the sun at 25 and at 12 degrees.
+    // Heaps over the Atlantic, the sun at 23 and at 10 degrees.
     for view in ["18,-40,3000,240,80&time=2026-06-21T19:30:00Z", "18,-40,9000,240,65&time=2026-06-21T20:30:00Z"] {
         let state = render::parse_state(&format!("#view={view}")).unwrap();
         let (_, target) = render::draw(&mut renderer, &state, size, Output::Picture).unwrap();

@@ -31,20 +31,24 @@ const SPACE_M: f64 = 40_000.0;
 pub fn exposure(mu: f64, altitude_m: f64) -> f64 {
     let dark = (1.0 - (mu + 0.85) / 0.6).clamp(0.0, 1.0);
     let [near, space] = [BRIGHTER / metered(mu), BRIGHTER_IN_SPACE * libm::pow(5.0, dark) / metered(1.0)];
-    let high = altitude_m.max(0.0) / SPACE_M;
-    let low = 1.0 / (1.0 + high * high);
+    let low = near_ground(altitude_m);
     PI * libm::pow(near, low) * libm::pow(space, 1.0 - low)
 }
 
 /// Factor of the exposure of a picture whose middle is so near to the sun: `towards` is the cosine of the angle between them, `mu` the sine of
 /// the sun's elevation. As photographers do who would not have the sky about a low sun burnt.
 pub fn into_sun(towards: f64, mu: f64, altitude_m: f64) -> f64 {
-    let high = altitude_m.max(0.0) / SPACE_M;
-    let glow = libm::exp2(mu.min(0.0) / GLOW_HALVED_BY) / (1.0 + high * high);
+    let glow = libm::exp2(mu.min(0.0) / GLOW_HALVED_BY) * near_ground(altitude_m);
     1.0 / (1.0 + INTO_SUN * glow * libm::pow(towards.max(0.0), 3.0))
 }
 
-/// Factor of the exposure near the ground for what faces the sun, where the sine of its elevation is `mu`: a low sun that lights level ground little burns the
+/// How far a picture from so high, m, is exposed as one from near the ground, and not as one from space.
+pub fn near_ground(altitude_m: f64) -> f64 {
+    let high = altitude_m.max(0.0) / SPACE_M;
+    1.0 / (1.0 + high * high)
+}
+
+/// Factor of the exposure for level ground that makes it one for what faces the sun, where the sine of its elevation is `mu`: a low sun that lights level ground little burns the
 /// sides of clouds.
 pub fn facing_the_sun(mu: f64) -> f64 {
     let light = metered(mu);

@@ -8,8 +8,8 @@ import { PMTiles } from "pmtiles";
 
 /** What maps say of places half a kilometre or more from a shore: latitude, longitude, and what they lie in. */
 const PLACES = [
-  ["Manhattan", 40.782, -73.966, "land"],
-  ["the Hudson off it", 40.62, -74.05, "sea"],
+  ["Manhattan", 40.75, -73.985, "land"],
+  ["the bay of New York", 40.62, -74.05, "sea"],
   ["the Giudecca's lagoon", 45.4, 12.3, "sea"],
   ["Tahiti", -17.62, -149.45, "land"],
   ["the sea off Tahiti", -17.45, -149.45, "sea"],
