@@ -22,7 +22,7 @@ fn air_mass(mu: f64) -> f64 {
     1.0 / (mu.max(0.0) + 0.50572 * libm::pow(elevation_deg + 6.07995, -1.6364))
 }
 
-/// What the sun's beam has on its way down and what of it is scattered down, for each part of the sun's that is not.
+/// Share of the sun's light above the air that comes down, in its beam or scattered out of it.
 fn passed(mu: f64) -> f64 {
     let m = air_mass(mu);
     let (scattered, absorbed) = (libm::exp(-SCATTERING * m), libm::exp(-ABSORPTION * m));

@@ -102,22 +102,36 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     found[id.x] = swash_at(MapPoint(MERCATOR, a.at), vec2f(0.0), a.x, a.height, 0.06, 1.2, 0.02).covered;
 }";
 
+/// Slope of the beach, as shaders are told.
+const SLOPE: f64 = 0.06;
+
+fn dutch_beach() -> Camera {
+    Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0)
+}
+
+/// What a camera sees so many seconds after an instant, in one sea, whose wind blows on to the beach.
+fn frames(camera: &Camera, seed: u32) -> impl FnMut(f64) -> Frame {
+    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, seed, ..Settings::default() };
+    let mut seas = Seas::default();
+    move |second| Frame::of(&mut seas, &settings, camera, 1_782_039_600.0 + second, [64; 2])
+}
+
+/// Places in the water about a camera, latitude and longitude, those nearest to the waterline first.
+fn by_the_waterline(world: &mut World, camera: &Camera, spread_m: f64) -> Vec<(f64, f64)> {
+    let mut found = places(world, camera, spread_m);
+    found.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
+    found.into_iter().map(|(lat, lon, _)| (lat, lon)).collect()
+}
+
 /// Fronts of the water on a beach by the trains that come to it, at instants 0.2 s apart: each runs up and back as a ball thrown up the slope.
 #[test]
 fn fronts_move_as_the_models_sheets_do() {
     const STEP_S: f64 = 0.2;
     const LAG: usize = 5;
-    // Of the beach, as the shader is told.
-    const SLOPE: f64 = 0.06;
-    let mut world = World::open("www/data");
-    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
-    let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, ..Settings::default() };
-    let mut seas = Seas::default();
-    let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
-    // The place that is nearest to the waterline.
-    let mut places = places(&mut world, &camera, 23.0);
-    places.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
-    let point = MapPoint::on(Projection::Mercator, places[0].0, places[0].1);
+    let (mut world, camera) = (World::open("www/data"), dutch_beach());
+    let mut at_second = frames(&camera, Settings::default().seed);
+    let (lat, lon) = by_the_waterline(&mut world, &camera, 23.0)[0];
+    let point = MapPoint::on(Projection::Mercator, lat, lon);
     let shores = made(&mut world, &at_second(0.0));
     let mut asker = Asker::new(FRONTS);
     let xs: Vec<f32> = (1..260).map(|i| 0.04 * i as f32).collect();
@@ -171,18 +185,14 @@ fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
     // A front turns at its highest place: half a second before, it is 7 cm farther down the beach.
     const STEP_S: f64 = 1.0;
     const INSTANTS: usize = 400;
-    const SLOPE: f64 = 0.06;
     // What the highest waves reach.
     const FROM_M: f32 = 5.0;
     const CELL_M: f32 = 0.25;
     const CELLS: usize = 32;
-    let mut world = World::open("www/data");
-    let camera = Camera::from_degrees(52.0986, 4.2520, 30.0, 0.0, 60.0);
+    let (mut world, camera) = (World::open("www/data"), dutch_beach());
     // Places of the waterline so far apart that tongues of one do not reach the next.
-    let mut found = places(&mut world, &camera, 60.0);
-    found.sort_by(|a, b| a.2.d.abs().total_cmp(&b.2.d.abs()));
     let mut line: Vec<(f64, f64)> = Vec::new();
-    for (lat, lon, _) in found {
+    for (lat, lon) in by_the_waterline(&mut world, &camera, 60.0) {
         let away_m = |&(lat2, lon2): &(f64, f64)| 6.37e6 * (lat - lat2).hypot((lon - lon2) * lat.cos());
         if line.len() < 10 && line.iter().all(|other| away_m(other) > 70.0) {
             line.push((lat, lon));
@@ -192,9 +202,7 @@ fn a_fiftieth_of_the_waves_runs_up_as_far_as_stockdon_has_it() {
     // Highest places over Stockdon's, of all seas.
     let (mut highest, mut waves) = (Vec::new(), 0.0);
     for seed in 1..=4 {
-        let settings = Settings { wind: Wind { speed_mps: 9.0, from_deg: 310.0 }, seed, ..Settings::default() };
-        let mut seas = Seas::default();
-        let mut at_second = |second: f64| Frame::of(&mut seas, &settings, &camera, 1_782_039_600.0 + second, [64; 2]);
+        let mut at_second = frames(&camera, seed);
         let frame = at_second(0.0);
         let (shores, mut asker) = (made(&mut world, &frame), Asker::new(HIGHEST));
         let height = frame.sea.sea.hs_m;

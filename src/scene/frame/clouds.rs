@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::overcast;
-use crate::scene::frame::exposure::{facing_the_sun, into_sun, near_ground};
+use crate::scene::frame::exposure::{for_sunlit_sides, into_sun, near_ground};
 use crate::scene::frame::rim;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
@@ -59,7 +59,7 @@ const OVER_THEM_M: [f64; 3] = [3_000.0, 9_000.0, 80_000.0];
 const BESIDE_THEM_M: [f64; 2] = [1_000.0, 3_000.0];
 /// Share of the ground that they cover from which on it is: they are the brightest of what is seen.
 const BESIDE_THEM: f64 = 0.3;
-/// With that of a view towards the sun it is a factor of so much at least, or that view's alone.
+/// Least factor of that and of a view towards the sun together, unless the latter's alone is less.
 const LEAST_TOGETHER: f64 = 0.4;
 /// How many times more light clouds all over the ground send up than a picture is exposed for; ours, of some that leave their tops shaded.
 const OVER_THEM: f64 = 0.6;
@@ -99,10 +99,10 @@ pub fn set_clouds(
         u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
         u.exposure /= (1.0 + OVER_THEM * over * share * share) as f32;
         // Towards the sun their shaded sides are seen, for which `into` is enough.
-        let facing = facing_the_sun(sun.z).max(LEAST_TOGETHER / into).min(1.0);
+        let sides = for_sunlit_sides(sun.z).max(LEAST_TOGETHER / into).min(1.0);
         let beside =
             (share / BESIDE_THEM).min(1.0) * risen(BESIDE_THEM_M[0], BESIDE_THEM_M[1]) * near_ground(camera.altitude_m);
-        u.exposure *= libm::pow(facing, beside) as f32;
+        u.exposure *= libm::pow(sides, beside) as f32;
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;

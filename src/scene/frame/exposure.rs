@@ -50,7 +50,7 @@ pub fn near_ground(altitude_m: f64) -> f64 {
 
 /// Factor of the exposure for level ground that makes it one for what faces the sun, where the sine of its elevation is `mu`: a low sun that lights level ground little burns the
 /// sides of clouds.
-pub fn facing_the_sun(mu: f64) -> f64 {
+pub fn for_sunlit_sides(mu: f64) -> f64 {
     let light = metered(mu);
     light / daylight::facing_the_sun(mu).max(light)
 }
