@@ -177,25 +177,55 @@ fn failed(error: Error) -> JsValue {
     js_sys::Error::new(&error.to_string()).into()
 }
 
-/// The surface of the open sea at a place, as if there were no land ([`measure`] knows it), from the same numbers that are drawn:
-/// `{height, normal: [east, north, up]}`, metres over the ellipsoid and a unit vector. `fragment` is a link's, which says the sea; `time` ISO 8601, `now`, or empty for the
-/// link's.
+/// The surface of the sea at a place and an instant as it is drawn, by shores and on lakes whose level is known too: a promise of
+/// `{height, normal: [east, north, up]}`, metres over the drawn ellipsoid and a unit vector, or of `null` on dry land, on waters without waves and, with `quality=low`, on lakes.
+/// Within 2 cm of a picture whose eye is within 2 km, outside of breaking crests; within them a place may have more than one surface, and this is the one over the water that
+/// rests there. `data_base` is where the world's archives lie, `data/` on the page of this program; `fragment` a link's, which says the sea; `time` ISO 8601,
+/// `now`, or empty for the link's.
+///
+/// It loads what the place needs, once, as [`measure`] does, which tells more. The first sample of an instant costs some tenths of a second, further ones
+/// little: ask for many places of one instant.
+///
+/// # Errors
+/// Those of [`measure`].
+#[wasm_bindgen(js_name = sampleSurface)]
+pub async fn sample_surface(
+    data_base: String,
+    fragment: String,
+    lng: f64,
+    lat: f64,
+    time: String,
+) -> std::result::Result<JsValue, JsValue> {
+    let found = measured(&data_base, &fragment, (lng, lat), &time).await?;
+    let surface = &found["surface"];
+    let Some(height_m) = surface["height_m"].as_f64() else { return Ok(JsValue::NULL) };
+    let normal = [0, 1, 2].map(|axis: usize| surface["normal_enu"][axis].as_f64().unwrap_or(f64::NAN));
+    surface_object(height_m, normal)
+}
+
+/// The surface of the open sea at a place, as if there were no land: what [`sample_surface`] tells far from it, at once and without loading anything. The
+/// arguments are its own.
 ///
 /// The first sample of an instant costs some tenths of a second, further ones microseconds: ask for many places of one instant.
 ///
 /// # Errors
 /// An `Error` that says in one line which argument is not valid and what would be.
-#[wasm_bindgen(js_name = sampleSurface)]
-pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::result::Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = sampleOpenSea)]
+pub fn sample_open_sea(fragment: &str, lng: f64, lat: f64, time: &str) -> std::result::Result<JsValue, JsValue> {
     thread_local! {
         /// The sea that the page's scripts measure, which need not be the one that the page shows.
         static MEASURED: RefCell<Seas> = RefCell::default();
     }
     let asked = Question::of_script(fragment, lng, lat, time, unix_now_s()).map_err(failed)?;
     let sample = MEASURED.with_borrow_mut(|seas| asked.open_sea(seas));
+    surface_object(sample.height_m, sample.normal_enu)
+}
+
+/// As scripts have a surface.
+fn surface_object(height_m: f64, normal_enu: [f64; 3]) -> std::result::Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
-    let normal: js_sys::Array = sample.normal_enu.into_iter().map(JsValue::from_f64).collect();
-    js_sys::Reflect::set(&object, &"height".into(), &sample.height_m.into())?;
+    let normal: js_sys::Array = normal_enu.into_iter().map(JsValue::from_f64).collect();
+    js_sys::Reflect::set(&object, &"height".into(), &height_m.into())?;
     js_sys::Reflect::set(&object, &"normal".into(), &normal)?;
     Ok(object.into())
 }
@@ -204,8 +234,7 @@ pub fn sample_surface(fragment: &str, lng: f64, lat: f64, time: &str) -> std::re
 const MEASURE_MS: [i32; 2] = [10, 60_000];
 
 /// What is at a place and an instant, ground and sea, by shores too, in the numbers that are drawn: a promise of the object that
-/// `ocean-globe sample` prints. `data_base` is where the world's archives lie, `data/` on the page of this program; the other arguments are those of
-/// [`sample_surface`].
+/// `ocean-globe sample` prints. The arguments are those of [`sample_surface`].
 ///
 /// It loads what the place needs, once: some hundred milliseconds for a first place, a few for others nearby.
 ///
@@ -219,27 +248,38 @@ pub async fn measure(
     lat: f64,
     time: String,
 ) -> std::result::Result<JsValue, JsValue> {
+    js_sys::JSON::parse(&measured(&data_base, &fragment, (lng, lat), &time).await?.to_string())
+}
+
+/// See [`measure`].
+async fn measured(
+    data_base: &str,
+    fragment: &str,
+    (lng, lat): (f64, f64),
+    time: &str,
+) -> std::result::Result<serde_json::Value, JsValue> {
     thread_local! {
         /// The worlds that scripts measure, by where they lie. They are not the one on show: that has the tiles of its view alone.
         static MEASURED: RefCell<HashMap<String, (World, MeasuredPlaces)>> = RefCell::default();
     }
-    let asked = Question::of_script(&fragment, lng, lat, &time, unix_now_s()).map_err(failed)?;
+    let asked = Question::of_script(fragment, lng, lat, time, unix_now_s()).map_err(failed)?;
     let [wait_ms, patience_ms] = MEASURE_MS;
     for _ in 0..patience_ms / wait_ms {
         // Nothing is held while the page goes on: others may measure meanwhile.
         let found = MEASURED.with_borrow_mut(|worlds| {
-            let (world, places) =
-                worlds.entry(data_base.clone()).or_insert_with(|| (World::open(&data_base), MeasuredPlaces::default()));
+            let (world, places) = worlds
+                .entry(data_base.to_owned())
+                .or_insert_with(|| (World::open(data_base), MeasuredPlaces::default()));
             world.poll();
             let found = places.at(world, &asked, World::look_strictly);
             // What could not be fetched may be there when a script asks again.
             if found.is_err() {
-                worlds.remove(&data_base);
+                worlds.remove(data_base);
             }
             found
         });
         if let Some(found) = found.map_err(failed)? {
-            return js_sys::JSON::parse(&found.to_string());
+            return Ok(found);
         }
         let later = |resolve, _| {
             // Where there is no window nothing would ever come: the promise stays as it is.
@@ -249,7 +289,7 @@ pub async fn measure(
         JsFuture::from(js_sys::Promise::new(&mut { later })).await?;
     }
     let why = format!("has not delivered the place's tiles in {} s", patience_ms / 1000);
-    Err(failed(Error::Fetch { url: data_base, why }))
+    Err(failed(Error::Fetch { url: data_base.to_owned(), why }))
 }
 
 /// See [`h0_hash`]. All patches of 256 by 256 samples in a row.

@@ -143,7 +143,7 @@ impl MeasuredPlaces {
         if let Some((found, gains, peak_s, hs_here_m)) = surface {
             let over_rest_m = found.height_m - state.settings.datum.rest_m(lat, lon);
             let mut surface = serde_json::to_value(found).map_err(json)?;
-            // What `sampleSurface` tells, which knows no land.
+            // What `sampleOpenSea` tells, which knows no land.
             let open = asked.open_sea(&mut self.seas);
             let tp_s = tables.peak_period_s;
             surface["open_sea"] = json!({ "height_m": open.height_m, "normal_enu": open.normal_enu, "tp_s": tp_s });

@@ -31,48 +31,56 @@ function assertSame(found, expected, name) {
 }
 
 export function sampleSurfaceTests(site) {
-  test("measure gives what the native sample does, by shores, on lakes and on land, and clear errors", async () => {
+  test("measure and sampleSurface give what the native sample does, by shores, on lakes and on land, and clear errors", async () => {
     const globe = await site.show(AT_SEA);
-    const { found, errors } = await globe.page.evaluate(async ({ sea, places, time }) => {
-      const { measure } = await import(document.getElementById("program").href);
-      const failure = (...args) => measure(...args).then(JSON.stringify, (error) => error.message);
+    const { found, surfaces, errors } = await globe.page.evaluate(async ({ sea, places, time }) => {
+      const { measure, sampleSurface } = await import(document.getElementById("program").href);
+      const failure = (asked, ...args) => asked(...args).then(JSON.stringify, (error) => error.message);
       // All at once: none may hold up another.
       const found = await Promise.all(places.map(([lng, lat]) => measure("data/", sea, lng, lat, time)));
-      const errors = [await failure("data/", sea, 0, 91, time), await failure("data/", "#wind=fast", 0, 0, time), await failure("nowhere/", sea, 0, 0, time)];
-      return { found, errors };
+      const surfaces = await Promise.all(places.map(([lng, lat]) => sampleSurface("data/", sea, lng, lat, time)));
+      const errors = [];
+      for (const args of [["data/", sea, 0, 91, time], ["data/", "#wind=fast", 0, 0, time], ["nowhere/", sea, 0, 0, time]]) {
+        errors.push(await failure(measure, ...args), await failure(sampleSurface, ...args));
+      }
+      return { found, surfaces, errors };
     }, { sea: SEA, places: BY_LAND, time: TIME });
 
     const classes = ["ocean", "ocean", "lake", "land"];
     for (const [index, [lng, lat]] of BY_LAND.entries()) {
       assert.equal(found[index].class, classes[index]);
       assertSame(found[index], await native(lng, lat), `${lat},${lng}`);
+      // On the beach, in a lee and on a lake `sampleSurface` tells the same, and nothing on land.
+      const { surface } = found[index];
+      assert.deepEqual(surfaces[index], surface && { height: surface.height_m, normal: surface.normal_enu });
     }
+    assert.deepEqual(surfaces.map((surface) => surface === null), [false, false, false, true]);
     // The beach has waves of its own.
     assert.notEqual(found[0].surface.height_m, found[0].surface.open_sea.height_m);
-    assert.match(errors[0], /latitude/);
-    assert.match(errors[1], /wind/);
-    assert.match(errors[2], /nowhere.*404/);
+    for (const [index, why] of [/latitude/, /wind/, /nowhere.*404/].entries()) {
+      assert.match(errors[2 * index], why);
+      assert.equal(errors[2 * index + 1], errors[2 * index]);
+    }
   });
 
-  test("sampleSurface gives the native height and normal, and clear errors", async () => {
+  test("sampleOpenSea gives the native height and normal, and clear errors", async () => {
     const globe = await site.show(AT_SEA);
     const { found, errors } = await globe.page.evaluate(async ({ sea, places, time }) => {
       const program = await import(document.getElementById("program").href);
       const failure = (...args) => {
         try {
-          return JSON.stringify(program.sampleSurface(...args));
+          return JSON.stringify(program.sampleOpenSea(...args));
         } catch (error) {
           return error.message;
         }
       };
       return {
-        found: places.map(([lng, lat]) => program.sampleSurface(sea, lng, lat, time)),
+        found: places.map(([lng, lat]) => program.sampleOpenSea(sea, lng, lat, time)),
         errors: [failure(sea, 0, 91, time), failure(sea, NaN, 0, time), failure(sea, 0, 0, "noon"), failure("#wind=fast", 0, 0, time)],
       };
     }, { sea: SEA, places: PLACES, time: TIME });
 
     for (const [index, [lng, lat]] of PLACES.entries()) {
-      // Of the open sea: the page's sampleSurface knows no land.
       const surface = (await native(lng, lat)).surface.open_sea;
       // The same amplitudes bit for bit; sines of the places may differ in the last digit, 1e-9 m on the earth's radius.
       assert.ok(Math.abs(found[index].height - surface.height_m) < 1e-5, `${found[index].height} against ${surface.height_m}`);
