@@ -32,6 +32,7 @@ const MIRRORS_CLOUDS = FINE;
 const WAVES = LAKES;
 const NOISE = false;
 const SHOWS_COVER = true;
+const DETAIL = true;
 const GRID: f32 = 16.0;
 const BLOCKS: f32 = 4.0;
 const BLOCK_EDGE: f32 = 1e-4;    // of a tile, from an edge between two, to where a pixel is surely of one of them

@@ -7,6 +7,8 @@ const FIELD_CELL: Metres = 169.6; // and how wide they are at the equator: 2^16 
 const FIELDS_BENT = 0.06;         // how far their rows are bent by what is 4.9 km wide, of its cells a rise
 const HEDGE = 0.035;              // half of a hedge's width, of a row's
 const FARMED_TO = vec2f(3250.0, 3460.0); // how high farms are found at the equator, m, and how much less so at a pole: 1,600 m at 43.5 degrees
+const TILLED = vec2f(-0.14, 0.04); // of `tillage`, from woods and heaths to farms,
+const USUAL_TILLAGE = -0.043;     // and where it is so much as it is in the mean
 const HEDGED = 0.5;               // share of borders that have one
 const BORDERS = 1.625;            // borders beside a cell, of two that it could have: see `column_of`
 // What a bright field has more, and a ripe one of red, green and blue, and a hedge less, of the ground's mean.
@@ -24,7 +26,7 @@ fn field_tones(fields: Fields) -> vec3f { return FIELD_TONE * fields.tone + FIEL
 fn farmed(albedo: vec3f, green: f32, slope: f32, elevation: Metres, sin_lat: f32, tillage: f32) -> f32 {
     let highest = max(FARMED_TO.x - FARMED_TO.y * sin_lat * sin_lat, 200.0);
     let suits = smoothstep(0.05, 0.08, albedo.g) * smoothstep(0.3, 0.6, green) * smoothstep(0.12, 0.05, slope) * smoothstep(0.90, 0.86, abs(sin_lat));
-    return suits * smoothstep(1.1 * highest, 0.9 * highest, elevation) * smoothstep(-0.14, 0.04, tillage);
+    return suits * smoothstep(1.1 * highest, 0.9 * highest, elevation) * smoothstep(TILLED.x, TILLED.y, tillage);
 }
 
 // Which field of its row a cell is part of: one cell, two or, a quarter of them, four are tilled as one. 0.625 of the borders between cells are left.

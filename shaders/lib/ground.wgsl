@@ -1,6 +1,6 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
 // what grows on the ground and its grain, TOWN, whether there may be houses, and SHOWS_COVER, whether they may be so narrow
-// that they show what covers the bed.
+// that they show what covers the bed, and DETAIL, whether so narrow that they show anything of `ground_detail`.
 // Long, but one thing: the ground's colour and light at a place, from what lies there over what grows, is built and has been washed up to how it is lit.
 #import ground_colour
 #import bed_cover
@@ -172,7 +172,8 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         if FINE {
             // What stands hides the ground between, the more so the flatter a sight is: what lies flat would be seen as streaks.
             flat = mix(1.0, across / growth, greenness(albedo));
-            let detail = ground_detail(point.at, growth);
+            var detail = NO_DETAIL;
+            if DETAIL { detail = ground_detail(point.at, growth); }
             let green = greenness(albedo);
             let farm = farmed(albedo, green, length(terrain), ground.elevation, sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
             // What stands on a slope stands upright: a sight and the sun's light sink to that, not to the level.
@@ -186,15 +187,19 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             // Rock stands out where it is steep, more of it on this slope than on that, and of this layer than of that; woods stand elsewhere.
             let holds = green * max(smoothstep(WARM.y, WARM.x, abs(sin_lat)), made.carved);
             let steep = smoothstep(0.2, 0.7, length(slope) + length(hills) - mix(HOLDS_ON, HOLDS_ON_VALLEYS, made.carved) * holds + mix(0.1, 0.3, holds) * detail.tone);
-            let wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, max(towers, steep) <= 0.0);
+            var wall = NO_WALL;
+            if DETAIL { wall = wall_at(pattern_place(point, part), slope, ground.elevation + made.height, across, max(towers, steep) <= 0.0); }
             let rock = 0.8 * (1.0 - towers) * saturate(steep + 6.0 * LAYERED * steep * (1.0 - steep) * wall.layers);
             let bare_wall = towers * wall.bare;
             let all_woods = wooded(albedo, green) * (1.0 - farm) * (1.0 - built.share);
             let woods = select(woods_at(all_woods, detail.stands), all_woods, is_bed);
             // Woods and grass hang over the water here, where the shore is steep or rock, and there is a beach or bare rock there.
-            let open_shore = smoothstep(-0.12, 0.2, map_noise_rise(point.at, 15u, 87u).x + 0.7 * map_noise_rise(point.at, 17u, 88u).x);
-            usual_width *= mix(1.0, mix(OVERHUNG_WIDTH, OPEN_WIDTH, open_shore), max(all_woods, 0.8 * max(rocky, hard)) * kind_seen);
-            let beach = beach_width(point.at, usual_width);
+            var beach = usual_width;
+            if DETAIL {
+                let open_shore = smoothstep(-0.12, 0.2, map_noise_rise(point.at, 15u, 87u).x + 0.7 * map_noise_rise(point.at, 17u, 88u).x);
+                usual_width *= mix(1.0, mix(OVERHUNG_WIDTH, OPEN_WIDTH, open_shore), max(all_woods, 0.8 * max(rocky, hard)) * kind_seen);
+                beach = beach_width(point.at, usual_width);
+            }
             let inland = (-ground.ocean_shore - mix(1.6, 0.6, rocky) * washed) / beach;
             let frayed = inland + 2.0 * FRAYED * (detail.tone + 3.0 * grain.tone);
             sand *= 1.0 + dot(detail.clumps, SAND_MOTTLES);

@@ -48,6 +48,8 @@ fn imagery_albedo(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec3f {
 // chooses where farms lie, which knows nothing of the tones, and the fields. `stands`: as of canopy.wgsl: dark ground has woods; `tops`: how woods' tops rise and fall.
 struct Detail { tone: f32, coarse: f32, rise: vec2f, bent: vec2f, clumps: vec4f, hue: f32, tillage: f32, stands: vec3f, tops: vec2f, fields: Fields }
 
+// Where pixels are so wide that none of it shows.
+const NO_DETAIL = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0), vec4f(0.0), 0.0, USUAL_TILLAGE, vec3f(0.0, STANDS_DEVIATION, 0.0), vec2f(0.0), Fields(0.0, 0.0, 0.0));
 const NOISE_VARIANCE = 0.0298;      // of the values of `map_noise_rise`
 const STANDS_DEVIATION = 0.2487;    // of all octaves of the noise that tells where woods stand
 const WIDE_TONES: f32 = 0.54;      // of what is wider than 100 m: so much as its valleys' depths differ
@@ -60,7 +62,7 @@ const WARP: f32 = 0.08;            // how far an octave moves the next one, of i
 // the next, so that none shows its lattice; it alone, for together they would draw the smallest out into hair.
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
-    var detail = Detail(0.0, 0.0, vec2f(0.0), vec2f(0.0), vec4f(0.0), 0.0, 0.0, vec3f(0.0), vec2f(0.0), Fields(0.0, 0.0, 0.0));
+    var detail = NO_DETAIL;
     var bend = vec2f(0.0);
     var level = 13u;
     var place = at;

@@ -57,10 +57,17 @@ fn nodes_around(point: MapPoint, level: u32, water: u32) -> Surrounding {
         max(away.x, away.y) / f32(SHELTER_SIDE / 2u));
 }
 
+// The first level of which anything is known: eyes in space see none of what is finer. Processors run a loop's body for nothing.
+fn finest_known() -> u32 {
+    var level = SHELTER_LEVELS - 1u;
+    for (var finer = SHELTER_LEVELS - 1u; finer > 0u; finer--) { level = select(level, finer - 1u, sheltered.windows[finer - 1u].w != 0u); }
+    return level;
+}
+
 fn local_water(point: MapPoint, water: u32) -> LocalSea {
     var gains = vec3f(0.0);
     var open = select(0.0, 1.0, point.square == MERCATOR);
-    var level = 0u;
+    var level = finest_known();
     loop {
         let found = nodes_around(point, level, water);
         let known = select(0.0, 1.0, found.nodes.gains.w > SHELTER_LEAST_KNOWN);

@@ -20,6 +20,8 @@ const ROCK_PARTS = vec4f(0.9, 0.8, 0.6, 0.36);     // of other rock, whose layer
 // How bare a slope is at a place, and the albedo of its rock, were it of a tower; ledges and what has run down of any other rock, whose means are none.
 struct Wall { bare: f32, albedo: vec3f, layers: f32, streaks: f32 }
 
+const NO_WALL = Wall(0.0, LIMESTONE, 0.0, 0.0);
+
 fn wall_at(place: vec2f, slope: vec2f, height: Metres, footprint: Metres, none: bool) -> Wall {
     let steep = length(slope);
     let w = slope.x * slope.x / max(steep * steep, 1e-6);
