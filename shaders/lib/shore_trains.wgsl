@@ -177,16 +177,16 @@ fn trains_at(point: MapPoint, depth: Metres, plain: Metres, shore: Metres, face:
     return all;
 }
 
-// Depth in which waves `deep` high break, of a shore that falls by `falls`, where it is h deep, with so much of Dean's profile in it: whose slope
+// Depth in which waves `deep` high that grow as those of the frequency `growing` do break, of a shore that falls by `falls`, where it is h deep, with so much of Dean's profile in it: whose slope
 // goes with the inverse root of the depth; their height over that depth, the slope there, and how far they are bores.
 struct Breaking { depth: Metres, index: f32, slope: f32, bore: f32 }
 
-fn breaking_of(deep: Metres, omega: f32, h: Metres, falls: f32, dean: f32) -> Breaking {
+fn breaking_of(deep: Metres, omega: f32, growing: f32, h: Metres, falls: f32, dean: f32) -> Breaking {
     let begun = min(h / (USUALLY_BREAKS * max(deep, 1e-6)), 1.0);
     let steep = max(falls * pow(begun, 0.5 * dean), 0.01);
     let slope = min(steep, 0.1);
     let index = breaker_index(slope, deep, omega);
-    let depth = breaking_depth(deep, omega * omega / GRAVITY, index);
+    let depth = breaking_depth(deep, growing * growing / GRAVITY, index);
     return Breaking(depth, index, slope, bore_in(h / max(depth, 1e-3), similarity(steep, index * depth, omega)));
 }
 
@@ -200,6 +200,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shor
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
     let all = trains_at(point, depth, plain, shore, face, footprint, wanted <= 0.0);
     let omega = bitcast<f32>(shore_words[0].x);
+    let growing = bitcast<f32>(shore_words[SHORE_TABLE - 1u].y);
     let h = max(depth, SHALLOWEST);
     let k_deep = omega * omega / GRAVITY;
     let y = depth_number(k_deep * h);
@@ -210,11 +211,11 @@ fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shor
     let curved = max(shore, 0.0) - plane;
     let falls = h / max(plane + 1.5 * curved, 1.0);
     let dean = curved / max(plane + curved, 1e-9);
-    let own = breaking_of(deep, omega, h, falls, dean);
-    let grown = deep * shoaling(y);
+    let own = breaking_of(deep, omega, growing, h, falls, dean);
+    let grown = deep * shoaling(depth_number(growing * growing / GRAVITY * h));
     let height = select(grown, min(grown, own.index * own.depth * broken_height(h / own.depth, own.slope, own.index)), h < own.depth);
     let bore = own.bore;
-    let white = breaking_of(2.0 * all.group * left * sqrt(wanted), omega, h, falls, dean).bore;
+    let white = breaking_of(2.0 * all.group * left * sqrt(wanted), omega, growing, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
     let shape = wave_shape(height, y, h, bore, frame.chop);
     // The shape begins with a rise, the sum with a crest.

@@ -143,6 +143,33 @@ pub struct SurfWave {
     pub bore: f64,
 }
 
+/// Angular frequencies that stand for those of trains that come together, rad/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates {
+    /// Their mean: so often crests come.
+    pub mean: f64,
+    /// Their harmonic mean, by which all grow together: in shallow water their energies do with the inverse of their frequencies (Green's law).
+    pub growing: f64,
+}
+
+impl Rates {
+    /// Those of trains of the same energy.
+    pub fn of(omegas: impl ExactSizeIterator<Item = f64> + Clone) -> Self {
+        let count = omegas.len() as f64;
+        Self {
+            mean: omegas.clone().sum::<f64>() / count,
+            growing: count / omegas.map(|omega| 1.0 / omega).sum::<f64>(),
+        }
+    }
+}
+
+/// Those of a single train.
+impl From<f64> for Rates {
+    fn from(omega: f64) -> Self {
+        Self { mean: omega, growing: omega }
+    }
+}
+
 /// What a single wave has become at a place.
 struct Grown {
     h: f64,
@@ -157,46 +184,47 @@ struct Grown {
 
 impl Grown {
     /// One that is `deep` m high in deep water.
-    fn new(omega: f64, place: Shallows, deep: f64) -> Self {
+    fn new(Rates { mean: omega, growing }: Rates, place: Shallows, deep: f64) -> Self {
         let h = place.h.max(super::shore_waves::SHALLOWEST_M);
         let k = wavenumber(omega, h);
         // Of the bed where a wave of this height breaks.
         let slope = place.slope_where((h / (USUALLY_BREAKS * deep.max(1e-6))).min(1.0)).max(0.01);
         let m = slope.min(0.1);
         let gamma = breaker_index(m, deep, omega);
-        let breaks = breaking_depth(deep.max(1e-6), omega * omega / GRAVITY, gamma);
-        let grown = deep * shoaling(k, h);
+        let breaks = breaking_depth(deep.max(1e-6), growing * growing / GRAVITY, gamma);
+        let grown = deep * shoaling(wavenumber(growing, h), h);
         let height = if h < breaks { grown.min(gamma * breaks * broken(h / breaks, m, gamma)) } else { grown };
         Self { h, k, height, breaks, similarity: similarity(slope, gamma * breaks, omega) }
     }
 }
 
-/// Significant height at a place by a shore, m, of waves of a frequency whose heights in deep water have Rayleigh's distribution with the rms
+/// Significant height at a place by a shore, m, of waves whose heights in deep water have Rayleigh's distribution with the rms
 /// `rms_deep`, m: each grows and breaks for itself, and √2 times the rms of what they become is four times the water's deviation, as their shapes
 /// keep the mean square of a sine.
-pub fn significant_height(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
+pub fn significant_height(rates: impl Into<Rates>, place: Shallows, rms_deep: f64) -> f64 {
+    let rates = rates.into();
     const QUANTILES: usize = 64;
     let squares = (0..QUANTILES).map(|i| {
         let deep = rms_deep * libm::sqrt(-libm::log((i as f64 + 0.5) / QUANTILES as f64));
-        let height = Grown::new(omega, place, deep).height;
+        let height = Grown::new(rates, place, deep).height;
         height * height
     });
     libm::sqrt(2.0 * squares.sum::<f64>() / QUANTILES as f64)
 }
 
-/// [`similarity`] of the wave of a frequency that is as high in deep water as the significant height, where it breaks before a place; `rms_deep` as of
+/// [`similarity`] of the wave that is as high in deep water as the significant height, where it breaks before a place; `rms_deep` as of
 /// [`significant_height`].
-pub fn usual_similarity(omega: f64, place: Shallows, rms_deep: f64) -> f64 {
-    Grown::new(omega, place, std::f64::consts::SQRT_2 * rms_deep).similarity
+pub fn usual_similarity(rates: impl Into<Rates>, place: Shallows, rms_deep: f64) -> f64 {
+    Grown::new(rates.into(), place, std::f64::consts::SQRT_2 * rms_deep).similarity
 }
 
 impl TrainSum {
-    /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `omega` their mean
-    /// frequency, `chop` the sea's.
-    pub fn wave(&self, omega: f64, place: Shallows, energy: f64, chop: f64) -> SurfWave {
+    /// The water at a place by a shore: `energy` is the share of the trains' that is theirs here, `rates` are their
+    /// frequencies, `chop` the sea's.
+    pub fn wave(&self, rates: impl Into<Rates>, place: Shallows, energy: f64, chop: f64) -> SurfWave {
         let size = libm::hypot(self.z[0], self.z[1]);
         let deep = 2.0 * size * place.left * libm::sqrt(energy);
-        let Grown { h, k, height, breaks, similarity } = Grown::new(omega, place, deep);
+        let Grown { h, k, height, breaks, similarity } = Grown::new(rates.into(), place, deep);
         let bore = bore(h / breaks.max(1e-3), similarity);
         let turn = self.z.map(|part| part / size.max(1e-6));
         // The shape begins with a rise, the sum with a crest.

@@ -265,16 +265,18 @@ impl Shores {
         words[0] = [1f32, 1e-3].map(f32::to_bits);
         // Shaders divide by their frequencies.
         (0..TRAINS).for_each(|train| words[1 + 2 * train] = [1f32, 0.0].map(f32::to_bits));
+        words[TABLE - 1] = [0f32, 1.0].map(f32::to_bits);
         // Tiles of no window.
         words[TABLE..TABLE + 64].fill([u32::MAX, 0]);
         let (Some(trains), false) = (&self.trains, self.wanted.is_empty()) else { return words };
-        words[0] = [mean_frequency(trains), reach_m(frame.camera.lat)].map(|x| (x as f32).to_bits());
+        let rates = rates(trains);
+        words[0] = [rates.mean, reach_m(frame.camera.lat)].map(|x| (x as f32).to_bits());
         for (index, train) in trains.iter().enumerate() {
             let phase = surface::phase_at(waves::cycles_per_tick(train.omega), frame.ticks());
             words[1 + 2 * index] = [train.omega, train.amplitude_m].map(|x| (x as f32).to_bits());
             words[2 + 2 * index] = [(phase as f32).to_bits(), 0];
         }
-        words[TABLE - 1] = [(self.taken_share(&frame.sea) as f32).to_bits(), 0];
+        words[TABLE - 1] = [self.taken_share(&frame.sea), rates.growing].map(|x| (x as f32).to_bits());
         for ([x, y], slot, share) in slots {
             words[TABLE + (y as usize & 7) * 8 + (x as usize & 7)] =
                 [x | (y << 16), (slot as u32 + 1) | (((65_535.0 * share) as u32) << 16)];
@@ -292,9 +294,9 @@ fn reach_m(lat: f64) -> f64 {
     REACH[0].min(REACH[1] * tile_m(lat))
 }
 
-/// Mean angular frequency, rad/s.
-fn mean_frequency(trains: &[Train; TRAINS]) -> f64 {
-    trains.iter().map(|train| train.omega).sum::<f64>() / TRAINS as f64
+/// Their frequencies.
+fn rates(trains: &[Train; TRAINS]) -> surf::Rates {
+    surf::Rates::of(trains.iter().map(|train| train.omega))
 }
 
 /// Tiles of which something may show within a distance, the nearest first.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use super::{HANDOVER, SHORES_END_M, Shores, Window, mean_frequency};
+use super::{HANDOVER, SHORES_END_M, Shores, Window, rates};
 use crate::data::tile::{MapPoint, Projection};
 use crate::data::world::{SHORE_LEVEL, SHORE_SIDE};
 use crate::model::sea_bed::smoothstep;
@@ -37,8 +37,8 @@ impl Shores {
         let (depth_m, shore_m) = (water.h, water.d);
         let trains = self.trains.as_ref().filter(|_| !self.wanted.is_empty())?;
         let (sea, _) = self.sea.as_ref()?;
-        let omega = mean_frequency(trains);
-        let u = omega * omega * depth_m.max(0.0) / GRAVITY;
+        let rates = rates(trains);
+        let u = rates.mean * rates.mean * depth_m.max(0.0) / GRAVITY;
         let wanted = (1.0 - smoothstep(HANDOVER[0], HANDOVER[1], u))
             * (1.0 - smoothstep(0.6 * SHORES_END_M, SHORES_END_M, shore_m))
             * smoothstep(-0.5, 0.0, shore_m);
@@ -96,9 +96,9 @@ impl Shores {
         let rms_deep_m = 2.0 * water.left * libm::sqrt(wanted * energy_m2);
         let patches = TAKEN.map(|part| left(part * part));
         (found > 0.0).then(|| ShoreWaves {
-            wave: sum.wave(omega, water, wanted, sea.sea.chop),
-            hs_m: surf::significant_height(omega, water, rms_deep_m),
-            similarity: surf::usual_similarity(omega, water, rms_deep_m),
+            wave: sum.wave(rates, water, wanted, sea.sea.chop),
+            hs_m: surf::significant_height(rates, water, rms_deep_m),
+            similarity: surf::usual_similarity(rates, water, rms_deep_m),
             share,
             patches,
             level: left(taken),
