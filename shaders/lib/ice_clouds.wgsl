@@ -12,6 +12,8 @@ const ANVIL_FROM = vec2f(0.9, 1.3);
 const ANVIL_TUFTED = vec2f(0.35, 0.25);
 const ANVIL_DEPTH = vec2f(3.0, 0.5);
 const ANVIL_THIN = 0.4;              // deviations above it: what stands over them thins out towards its edges, and small ones are thin all over
+const ANVIL_FRINGES: Metres = 3500.0; // how wide the fringes of their edges are,
+const ANVIL_FRAYED = 0.2;            // and how far these reach, deviations
 const ANVIL_BLOWN: Metres = 90000.0;
 const ANVIL_LEFT = 0.35;
 const ANVIL_TORN = vec3f(9000.0, -14000.0, 12000.0);
@@ -30,7 +32,9 @@ fn ice_optical_depth(place: vec3f, footprint: Metres) -> f32 {
     let sin_lat = place.z / length(place);
     // What the wind draws out of their shields is longer.
     let shield = vec2f(tufts.x, ice_shown(footprint, ICE_TUFTS.y) * cloud_noise(wind * vec3f(0.3, 0.3, 1.0) / ICE_TUFTS.y, 16u));
-    let from_level = dot(ANVIL_TUFTED, shield) - max(frame.cloud_shift, 0.0) - mix(ANVIL_FROM.x, ANVIL_FROM.y, smoothstep(0.2, 0.6, abs(sin_lat)));
+    let frayed = ice_shown(footprint, ANVIL_FRINGES) * cloud_noise(wind * vec3f(0.4, 0.4, 1.0) / ANVIL_FRINGES, 17u);
+    let from_level = dot(ANVIL_TUFTED, shield) + ANVIL_FRAYED * frayed - max(frame.cloud_shift, 0.0)
+        - mix(ANVIL_FROM.x, ANVIL_FROM.y, smoothstep(0.2, 0.6, abs(sin_lat)));
     let west = normalize(vec3f(place.y, -place.x, 1.0));
     // Where all is overcast no more of them are deep.
     let torn = wind + ANVIL_TORN * tufts.x;

@@ -20,6 +20,7 @@ use crate::scene::view::state::ViewState;
   ocean-globe render --state '#view=38.5,-28.6,560,300,78' --layer depth -o depth.npy
   ocean-globe render --flight globe gale --frames 300 --size 1920x1080 -o flight
   ocean-globe render --flight '#view=28,-14,3e7&bft=8&time=2026-11-20T12:00:00Z&rate=0' '#view=28.8545,-13.792,2,253,80' -o dive
+  ocean-globe render --flight surf surf --frames 10 --fps 1.25 -o wave      ten pictures of one view, 0.8 s apart
   ffmpeg -framerate 30 -i flight/%05d.png -pix_fmt yuv420p flight.mp4     makes a film of a flight
 
 A flight rises and falls in an arc. Sea and clock are those of its first view: the clock runs from that view's time at that view's

@@ -54,7 +54,7 @@ const EXPOSED_FOR: f64 = 0.67;
 
 /// Heights between which an eye comes to have its picture exposed for sunlit clouds below it, metres, and where that is half of what it is before
 /// space, from where clouds are but a part of what is seen.
-const OVER_THEM_M: [f64; 3] = [3_000.0, 9_000.0, 80_000.0];
+const OVER_THEM_M: [f64; 3] = [1_000.0, 3_000.0, 80_000.0];
 /// Heights between which an eye comes to have its picture exposed for the sides of clouds that face the sun, metres.
 const BESIDE_THEM_M: [f64; 2] = [1_000.0, 3_000.0];
 /// Share of the ground that they cover from which on it is: they are the brightest of what is seen.
