@@ -210,7 +210,7 @@ impl World {
         stands
     }
 
-    /// Whether the last of [`World::stands_now`]'s answers to who may ask was about this place, and was no makeshift while tiles are on their way.
+    /// Whether the last of `World::stands_now`'s answers to who may ask was about this place, and was no makeshift while tiles are on their way.
     pub fn knows_level(&self, lat: f64, lon: f64) -> bool {
         Projection::for_latitude(lat) != Projection::Mercator
             || self.levels.last[1].is_some_and(|(at, ..)| at == map_from_lat_lon(Projection::Mercator, lat, lon))
