@@ -29,10 +29,13 @@ fn below_in_triangle(x: f32) -> f32 {
 // Where in the picture a place is, given as clip coordinates: right and down, 0 to 1.
 fn shown_at(at: vec4f) -> vec2f { return vec2f(0.5, -0.5) * at.xy / max(at.w, 1e-6) + 0.5; }
 
-// The pixel of such a place. What is beside the picture and above it is taken to be what lies as far within its rim.
-fn pixel_within(shown: vec2f) -> vec2u {
-    let folded = 1.0 - abs(1.0 - abs(shown));
-    return vec2u(clamp(folded, vec2f(0.0), vec2f(0.99999)) * frame.viewport);
+// Such a place in the picture. What is beside it and above it is taken to be what lies as far within its rim.
+fn within(shown: vec2f) -> vec2f { return clamp(1.0 - abs(1.0 - abs(shown)), vec2f(0.0), vec2f(0.99999)); }
+
+// Whether what is seen there may stand for what is not: that is above the picture, where ground below the eye would be ground before what is mirrored.
+fn may_stand_for(shown: vec2f, inside: vec2f) -> bool {
+    let device = vec2f(2.0, -2.0) * (inside - 0.5);
+    return (shown.y >= 0.0) | (frame.ray_forward.z + device.x * frame.ray_right.z + device.y * frame.ray_up.z > 0.0);
 }
 
 // How much of that shows: the less the farther above the rim.
@@ -75,10 +78,11 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
         loop {
             let at = own + t * way;
             let shown = shown_at(at);
-            let seen = pixel_within(shown);
+            let inside = within(shown);
+            let seen = vec2u(inside * frame.viewport);
             // Depth = NEAR / distance along the view.
             let nearness = textureLoad(scene_depth, seen, 0);
-            let is_land = (nearness * at.w > LAND_BEHIND * NEAR) & (nearness * own.w < LAND_BEFORE * NEAR) & (at.w > NEAR) & (shown.y > -LAND_RIM);
+            let is_land = (nearness * at.w > LAND_BEHIND * NEAR) & (nearness * own.w < LAND_BEFORE * NEAR) & (at.w > NEAR) & (shown.y > -LAND_RIM) & may_stand_for(shown, inside);
             land = select(land, vec3u(seen, 1u), is_land);
             known = select(known, known_at(shown), is_land);
             behind = select(behind, t, is_land);
@@ -104,7 +108,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     if is_inland_water(colour) & (textureLoad(scene_depth, above, 0) > 0.0) { colour = textureLoad(scene_colour, above, 0); }
     let far = frame.clip_from_local * vec4f(mean.toward, 0.0);
     let shown = shown_at(far);
-    let seen = pixel_within(shown);
+    let seen = vec2u(within(shown) * frame.viewport);
     let shows_sky = (textureLoad(scene_depth, seen, 0) == 0.0) & (far.w > 1e-6) & (dot(mean.toward, frame.light) < SUN_APART);
     let is_sky = near * known_at(shown) * select(0.0, 1.0 - smoothstep(SKY_SHARP.x, SKY_SHARP.y, spread), shows_sky) * (1.0 - is_land);
     let radiance = is_land * colour.rgb + is_sky * textureLoad(scene_colour, seen, 0).rgb;
