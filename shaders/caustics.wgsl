@@ -32,7 +32,7 @@ fn vertex(@location(0) grid: vec2f) -> Vertex {
     var trains = vec2f(0.0);
     let footprint = max(cell.x, cell.y);
     if SURF {
-        let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, length(surface), footprint);
+        let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, length(surface), footprint, 0.0);
         sea = left_by_trains(sea, waves.share);
         trains = waves.slope;
     }

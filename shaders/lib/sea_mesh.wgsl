@@ -36,7 +36,7 @@ fn placed(rest: vec3f, spacing: Metres) -> Place {
         is_ocean = ground.is_ocean;
         if !LAKE { sea = behind_reefs(sea, ground.waves); }
         if SURF {
-            let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, spacing);
+            let waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, spacing, 0.0);
             sea = left_by_trains(sea, waves.share);
             rise = waves.rise;
         }

@@ -190,13 +190,15 @@ fn breaking_of(deep: Metres, omega: f32, growing: f32, h: Metres, falls: f32, de
     return Breaking(depth, index, slope, bore_in(h / max(depth, 1e-3), similarity(steep, index * depth, omega)));
 }
 
+const FRONT_PARTS = 1.47;        // 4 ln 10 / 2π: the part that is four footprints long has a tenth
 const TOP_AHEAD = 0.4;           // of the sum's crest, radians: where white water begins
 const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at 1.57, and highest at 1.02
 const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heights in deep water; as src/model/surf.rs
 
 // The waves of the trains where a footprint shows them.
-// `face`: the slope of the beach; `plain`: the depth but for coral reefs; `left`: what these leave of the waves' height.
-fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shore: Metres, face: f32, distance: Metres, footprint: Metres) -> ShoreWaves {
+// `face`: the slope of the beach; `plain`: the depth but for coral reefs; `left`: what these leave of the waves' height. `narrowest`: of the footprint, as wide as fronts are
+// that it shows.
+fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shore: Metres, face: f32, distance: Metres, footprint: Metres, narrowest: f32) -> ShoreWaves {
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
     let all = trains_at(point, depth, plain, shore, face, footprint, wanted <= 0.0);
     let omega = bitcast<f32>(shore_words[0].x);
@@ -217,7 +219,9 @@ fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shor
     let bore = own.bore;
     let white = breaking_of(2.0 * all.group * left * sqrt(wanted), omega, growing, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
-    let shape = wave_shape(height, y, h, bore, frame.chop);
+    var shape = wave_shape(height, y, h, bore, frame.chop);
+    // Its n-th part has r to the n-th of the first's height. Parts shorter than four pixels are rows of dots along a crest.
+    shape.x = min(shape.x, exp(-FRONT_PARTS * narrowest * footprint * y / h));
     // The shape begins with a rise, the sum with a crest.
     let surface = wave_surface(shape, vec2f(-turn.y, turn.x));
     let local = (turn.x * all.sum.cosines + turn.y * all.sum.sines) / max(size, 0.2 * deep + 1e-4);

@@ -116,7 +116,7 @@ struct Told { waves: vec4f, left: vec4f }
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
     let a = asked[id.x];
-    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.plain, a.left, a.shore, a.face, 0.0, 0.0);
+    let waves = shore_waves_at(MapPoint(MERCATOR, a.at), a.depth, a.plain, a.left, a.shore, a.face, 0.0, 0.0, 0.0);
     let left = left_by_trains(OPEN_SEA, waves.share);
     found[id.x] = Told(vec4f(waves.rise, waves.slope, waves.share), vec4f(left.gains.xyz, left.height));
 }";

@@ -93,3 +93,25 @@ fn surf_is_as_white_from_10_km_as_from_120_m() {
     }
     assert!(whites[2][1] > 0.2, "a white seam: {whites:?}");
 }
+
+#[test]
+fn crests_on_a_far_beach_are_no_rows_of_dots() {
+    const SIZE: [u32; 2] = [640, 360];
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    // A swell off the Landes from 500 m: near the shore its crests lie a few pixels behind each other, and nearly along the rows.
+    let link = "#view=44.2,-1.335,500,60,62&wind=0@310&swell=2,13,310&clouds=0&time=2026-09-21T15:00:00Z";
+    let state = render::parse_state(link).unwrap();
+    let [classes, radiance] = [LayerName::Class, LayerName::Radiance]
+        .map(|layer| render::measure(&mut renderer, &state, SIZE, layer).unwrap().values);
+    let green = |row: usize, column: usize| radiance[3 * (row * 640 + column) + 1];
+    let is_sea = |row: usize, column: usize| classes[row * 640 + column] == 1.0;
+    let places = (40..100).flat_map(|row| (441..629).map(move |column| (row, column)));
+    let bends: Vec<f64> = places
+        .filter(|&(row, column)| (column - 1..=column + 1).all(|at| is_sea(row, at)))
+        .map(|(row, at)| ((green(row, at - 1) + green(row, at + 1)) / green(row, at) - 2.0).abs())
+        .collect();
+    let dots = bends.iter().filter(|bend| **bend > 0.2).count() as f64 / bends.len() as f64;
+    println!("{dots:.4} of {} pixels stand out from those beside them by a tenth", bends.len());
+    // Where fronts are narrower than pixels 0.029 did.
+    assert!(bends.len() > 8000 && dots < 0.005, "{dots} of {}", bends.len());
+}
