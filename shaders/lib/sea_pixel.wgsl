@@ -134,7 +134,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     // Surf on a coral reef is off the shore, but at its own.
     let surf_shore = ground.ocean_shore * (1.0 - ground.corals.x);
     if SURF {
-        waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, footprint, 1.0);
+        waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, footprint, footprint);
         sea = left_by_trains(sea, waves.share);
     }
     var ripples = 1.0;

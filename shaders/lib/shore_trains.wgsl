@@ -6,7 +6,8 @@
 #import breakers
 #import shelter
 
-// Words: how the trains are; each one's frequency and amplitude, then its phase now; which window a tile has; then their nodes.
+// Words: how the trains are; each one's frequency and amplitude, then its phase now; which share of the sea they take, and the frequency that they
+// grow by; which window a tile has; then their nodes.
 @group(1) @binding(15) var<storage, read> shore_words: array<vec2u>;
 
 // The sum of the trains at a place, as far as a footprint shows them: Σ A e^{iθ}, and Σ k A cos θ and Σ k A sin θ along their ways, east and
@@ -177,8 +178,8 @@ fn trains_at(point: MapPoint, depth: Metres, plain: Metres, shore: Metres, face:
     return all;
 }
 
-// Depth in which waves `deep` high that grow as those of the frequency `growing` do break, of a shore that falls by `falls`, where it is h deep, with so much of Dean's profile in it: whose slope
-// goes with the inverse root of the depth; their height over that depth, the slope there, and how far they are bores.
+// Depth in which waves `deep` high break, which grow as those of the frequency `growing` do, of a shore that falls by `falls`, where it is h deep, with
+// so much of Dean's profile in it: whose slope goes with the inverse root of the depth; their height over that depth, the slope there, and how far they are bores.
 struct Breaking { depth: Metres, index: f32, slope: f32, bore: f32 }
 
 fn breaking_of(deep: Metres, omega: f32, growing: f32, h: Metres, falls: f32, dean: f32) -> Breaking {
@@ -190,15 +191,15 @@ fn breaking_of(deep: Metres, omega: f32, growing: f32, h: Metres, falls: f32, de
     return Breaking(depth, index, slope, bore_in(h / max(depth, 1e-3), similarity(steep, index * depth, omega)));
 }
 
-const FRONT_PARTS = 1.47;        // 4 ln 10 / 2π: the part that is four footprints long has a tenth
+const FRONT_PARTS = 1.47;        // 4 ln 10 / 2π: of a shape's parts the one that is four fronts long has a tenth
 const TOP_AHEAD = 0.4;           // of the sum's crest, radians: where white water begins
 const FACE_AHEAD = 1.7;          // the surface of a bore (`wave_surface`) is up to its mean at 1.57, and highest at 1.02
 const USUALLY_BREAKS = 1.4;      // depths in which waves break over their heights in deep water; as src/model/surf.rs
 
 // The waves of the trains where a footprint shows them.
-// `face`: the slope of the beach; `plain`: the depth but for coral reefs; `left`: what these leave of the waves' height. `narrowest`: of the footprint, as wide as fronts are
-// that it shows.
-fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shore: Metres, face: f32, distance: Metres, footprint: Metres, narrowest: f32) -> ShoreWaves {
+// `face`: the slope of the beach; `plain`: the depth but for coral reefs; `left`: what these leave of the waves' height; `front`: the width of
+// the narrowest front that shows.
+fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shore: Metres, face: f32, distance: Metres, footprint: Metres, front: Metres) -> ShoreWaves {
     let wanted = trains_share(depth, shore, distance) * select(0.0, 1.0, point.square == MERCATOR);
     let all = trains_at(point, depth, plain, shore, face, footprint, wanted <= 0.0);
     let omega = bitcast<f32>(shore_words[0].x);
@@ -220,8 +221,8 @@ fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shor
     let white = breaking_of(2.0 * all.group * left * sqrt(wanted), omega, growing, h, falls, dean).bore;
     let turn = all.sum.z / max(size, 1e-6);
     var shape = wave_shape(height, y, h, bore, frame.chop);
-    // Its n-th part has r to the n-th of the first's height. Parts shorter than four pixels are rows of dots along a crest.
-    shape.x = min(shape.x, exp(-FRONT_PARTS * narrowest * footprint * y / h));
+    // Its n-th part has r to the n-th of the first's height. Narrower fronts than pixels would be rows of dots along a crest.
+    shape.x = min(shape.x, exp(-FRONT_PARTS * front * y / h));
     // The shape begins with a rise, the sum with a crest.
     let surface = wave_surface(shape, vec2f(-turn.y, turn.x));
     let local = (turn.x * all.sum.cosines + turn.y * all.sum.sines) / max(size, 0.2 * deep + 1e-4);
