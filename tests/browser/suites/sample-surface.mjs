@@ -58,8 +58,10 @@ export function sampleSurfaceTests(site) {
     // The beach has waves of its own.
     assert.notEqual(found[0].surface.height_m, found[0].surface.open_sea.height_m);
     for (const [index, why] of [/latitude/, /wind/, /nowhere.*404/].entries()) {
-      assert.match(errors[2 * index], why);
-      assert.equal(errors[2 * index + 1], errors[2 * index]);
+      // Each of the two asks on its own: which of the world's archives is missed first is chance.
+      const [measuring, sampling] = errors.slice(2 * index, 2 * index + 2).map((error) => error.replaceAll(/\w+\.pmtiles/g, "an archive"));
+      assert.match(measuring, why);
+      assert.equal(sampling, measuring);
     }
   });
 
