@@ -17,13 +17,13 @@ const CLOUDS = true;
 const MIRRORS_CLOUDS = FINE;
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
-const MOST_LOOKS = 160u;
-const LOOKS_UNTIRED = 60.0;             // an eye among clouds looks on for long: from then on its steps grow with the number of looks
+const MOST_LOOKS = 240u;
+const LOOKS_UNTIRED = 100.0;            // an eye among clouds looks on for long: from then on its steps grow with the number of looks
 const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = 6.0;                      // steps in a cloud, of those between
-const FINE_STEPS = 7u;                  // as many of them go on behind a cloud before steps are wide again
+const FINER = 12.0;                     // steps in a cloud, of those between
+const FINE_STEPS = 13u;                 // as many of them go on behind a cloud before steps are wide again
 const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
