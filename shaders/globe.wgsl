@@ -12,6 +12,7 @@ const SHOWS_COVER = false;
 const GROWTH = false;
 const DETAIL = false;             // which is finer than a pixel of the earth from space
 const TOWN = false;
+const BED_ALONE = false;
 const MIRRORS_CLOUDS = false;      // so far away only their mean shows
 const WAVES = false;
 const NOISE = false;

@@ -254,15 +254,17 @@ impl Renderer {
             // A graphics card skips what a pixel does not have: fewer pipelines are compiled for it.
             let software = self.gpu.software;
             let reefs = !software || frame.has_reefs();
-            let ground = |DrawnTile { id, is_rugged: rugged, .. }| {
+            let ground = |DrawnTile { id, is_rugged: rugged, .. }, bed| {
                 // Wide pixels show what is where their own ray meets the earth, which may lie in another tile.
                 let has_inland = self.streaming.has_inland(id);
                 let inland = !software || has_inland || id.z < OWN_INLAND_LEVEL;
                 let near = if near == Near::Lakes && !has_inland { Near::Growth } else { near };
                 let town = self.towns.are_on(id);
-                Ground { near, beach: Beach::Absent, rugged, town, inland, reefs }
+                let usual = Ground { near, beach: Beach::Absent, rugged, town, inland, reefs, bed };
+                if bed { Ground { near: Near::Nothing, town: false, inland: false, ..usual } } else { usual }
             };
-            self.land.set_tiles(&self.gpu, ground_kind, tiles.iter().rev().copied(), ground, beach);
+            let known_bed = |tile: &DrawnTile| DrawnTile { bed: if software { tile.bed } else { 0 }, ..*tile };
+            self.land.set_tiles(&self.gpu, ground_kind, tiles.iter().rev().map(known_bed), ground, beach);
         }
         if frame.has_light() {
             self.sky_view.prepare(&frame.uniform);

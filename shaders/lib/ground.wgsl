@@ -1,6 +1,7 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
 // what grows on the ground and its grain, TOWN, whether there may be houses, and SHOWS_COVER, whether they may be so narrow
-// that they show what covers the bed, and DETAIL, whether so narrow that they show anything of `ground_detail`.
+// that they show what covers the bed, DETAIL, whether so narrow that they show anything of `ground_detail`, and BED_ALONE, whether all is a bed on which
+// nothing of the land shows.
 // Long, but one thing: the ground's colour and light at a place, from what lies there over what grows, is built and has been washed up to how it is lit.
 #import ground_colour
 #import bed_cover
@@ -129,9 +130,9 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     let normal = normalize(up - slope.x * east - slope.y * north);
     // Where the shore crosses a pixel its land is what shows of its ground.
     let sight = sinking(point, direction, up, LEAST_SINKING);
-    let is_bed = (ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_beach(width));
+    let is_bed = BED_ALONE || ((ocean_share(ground, width) >= 1.0) & (ground.ocean_shore > edge_of_beach(width)));
     // There is nothing of the land on it: so far out the sea itself lays the sand.
-    let is_apart = is_bed & ((-ground.elevation >= BED_AS_BEACH) | (ground.ocean_shore >= SHORE_SAND.y));
+    let is_apart = BED_ALONE || (is_bed & ((-ground.elevation >= BED_AS_BEACH) | (ground.ocean_shore >= SHORE_SAND.y)));
     let ashore = smoothstep(SHORE_SAND.y, SHORE_SAND.x, ground.ocean_shore);
     var albedo: vec3f;
     var shaded = normal;
@@ -248,13 +249,14 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         albedo = natural_colour(ground.elevation + made.height, length(slope), sin_lat, patchiness(point.at, footprint));
     }
     if is_bed {
+        let depth = max(-ground.elevation, 0.0);
         let by_beach = mix(plain_sand, sand, ashore);
-        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(-ground.elevation), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - towers) * (1.0 - ground.corals.y) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, -ground.elevation));
+        albedo = mix(MOIST_SAND * by_beach, mix(bed_colour(depth), mix(mix(ROCKY_BED, SCOURED_BED, at.kind.scoured), BANK_BED, bank), at.bed * (1.0 - towers) * (1.0 - ground.corals.y) * max(0.85 * rocky, bank)), smoothstep(0.0, BED_AS_BEACH, depth));
         if FINE && SHOWS_COVER {
             // By the waterline it is the beach's sand, with its grain.
-            let meadows = meadows_to(attenuation(water_kind(point, sin_lat, -ground.elevation)).g);
-            albedo = with_coral_sand(albedo, -ground.elevation, ground.corals.y * smoothstep(SHORE_SAND.x, SHORE_SAND.y, ground.ocean_shore));
-            albedo = covered_bed(point, albedo, -ground.elevation, meadows, ground.corals, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, -ground.elevation), 0.2);
+            let meadows = meadows_to(attenuation(water_kind(point, sin_lat, depth)).g);
+            albedo = with_coral_sand(albedo, depth, ground.corals.y * smoothstep(SHORE_SAND.x, SHORE_SAND.y, ground.ocean_shore));
+            albedo = covered_bed(point, albedo, depth, meadows, ground.corals, footprint) * max(1.0 + grain.tone * ashore * smoothstep(GRAIN_TO, 0.0, depth), 0.2);
         }
     }
     let bare = select((1.0 - grown) * smoothstep(8.0, 1.0, ground.elevation) * saturate(usual_width / footprint), 0.0, is_bed);

@@ -5,7 +5,7 @@ fn east_at(up: vec3f) -> vec3f {
     return normalize(cross(vec3f(0.0, frame.cos_lat, frame.sin_lat), up) + vec3f(1e-9, 0.0, 0.0));
 }
 
-const LEAST_SINKING = 0.02;       // of a sight over the ground: none is seen flatter
+const LEAST_SINKING: f32 = 0.02;  // of a sight over the ground: none is seen flatter
 
 // How far a sight moves right and down on the map while it sinks by one, `least` of its length or more.
 fn sinking(point: MapPoint, direction: vec3f, up: vec3f, least: f32) -> vec2f {

@@ -1,19 +1,19 @@
 //! Dry land, lakes and the sea bed: one grid with a skirt for every visible map tile, in instanced draws. What beaches show that waves run up takes much
 //! longer than other ground, and is a narrow strip: where tiles have one they are drawn without it, and then those of their blocks that it crosses once more.
-//! Tiles of which the sea hides a part are drawn block by block, too.
+//! Tiles of which the sea hides a part, or a part is its bed alone, which takes less than land, are drawn block by block, too.
 
 mod draws;
 
 use std::collections::HashMap;
 
 pub use draws::GRID;
-use draws::{Blocks, Draw, Instance, Part, draws, mesh, with_room};
+use draws::{Blocks, Draw, Instance, Part, draws, land_and_bed, mesh, with_room};
 
 use super::kind::Kind;
 use crate::data::tile::TileId;
 use crate::gpu::pipeline::{Depth, DepthTest, Drawing};
 use crate::gpu::{Gpu, shader};
-use crate::scene::view::map_tiles::{ALL_BLOCKS, DrawnTile, blocks_with};
+use crate::scene::view::map_tiles::{DrawnTile, blocks_with};
 
 const MOST_TILES: usize = 1_024;
 /// Drawn by themselves, in one picture; tiles that come later have no beaches and are drawn whole.
@@ -65,19 +65,21 @@ pub struct Ground {
     pub inland: bool,
     /// Whether there may be coral reefs before it.
     pub reefs: bool,
+    /// Whether it is the sea's bed, on which nothing of the land shows.
+    pub bed: bool,
 }
 
 impl Ground {
     /// What of it a kind of picture shows, with imagery or without: towns are fine, and what all show without lakes is left to [`Near::Growth`].
     fn shown(self, kind: Kind, imagery: bool) -> Self {
-        let near = if kind.shows_lakes() { self.near } else { Near::Growth };
+        let near = if kind.shows_lakes() || self.bed { self.near } else { Near::Growth };
         Self { near, town: self.town && kind.fine && imagery, ..self }
     }
 }
 
 /// The composed shader of a kind of picture, with imagery or without. Beaches are never drawn without what grows beside them.
 pub fn source(kind: Kind, imagery: bool, ground: Ground) -> String {
-    let Ground { near, beach, rugged, town, inland, reefs } = ground.shown(kind, imagery);
+    let Ground { near, beach, rugged, town, inland, reefs, bed } = ground.shown(kind, imagery);
     let (lakes, growth) = (near == Near::Lakes, near != Near::Nothing || beach != Beach::Absent);
     let [beside, swash] = [Beach::Beside, Beach::Only].map(|of| beach == of);
     let shown = [
@@ -89,6 +91,7 @@ pub fn source(kind: Kind, imagery: bool, ground: Ground) -> String {
         ("TOWN", town),
         ("INLAND", inland || lakes),
         ("REEFS", reefs),
+        ("BED_ALONE", bed),
     ];
     let shown = shown.map(|(name, value)| format!("const {name}: bool = {value};\n")).concat();
     shader::composed(include_str!("../../shaders/land.wgsl"), &(kind.ground_definitions(imagery) + &shown))
@@ -137,28 +140,33 @@ impl Land {
     }
 
     /// Sets the tiles of the next draw of a kind of picture, with imagery or without; what comes first should be near: it spares the shading of what it hides.
-    /// `ground` and `has_beach`: what a tile is drawn with but for its beaches, and whether it, or one of its descendants, may have some that waves run up.
+    /// `ground`: what a tile is drawn with but for its beaches, or those of its blocks that have a bed alone; `has_beach`: whether it, or one of its descendants, may
+    /// have some that waves run up.
     pub fn set_tiles(
         &mut self,
         gpu: &Gpu,
         (kind, imagery): (Kind, bool),
         tiles: impl Iterator<Item = DrawnTile>,
-        ground: impl Fn(DrawnTile) -> Ground,
+        ground: impl Fn(DrawnTile, bool) -> Ground,
         has_beach: impl Fn(TileId) -> bool,
     ) {
         let tiles: Vec<_> = tiles.take(MOST_TILES).collect();
         let beaches: Vec<_> = tiles.iter().map(|tile| blocks_with(tile.id, &has_beach)).collect();
         let mut room = MOST_BLOCKS;
-        let beaches = with_room(beaches, 0, &mut room);
-        let shown = with_room(tiles.iter().map(|tile| tile.shown).collect(), ALL_BLOCKS, &mut room);
-        let of_tile = |((tile, beaches), shown): ((DrawnTile, u32), u32)| Part {
-            ground: ground(tile).shown(kind, imagery),
-            instance: Instance::new(tile.id, beaches),
-            shown,
+        let beaches = with_room(beaches, &mut room);
+        let of_tile = |(tile, beaches): (&DrawnTile, u32)| {
+            let [land, bed] = land_and_bed(tile, &mut room);
+            let part = |shown, is_bed, beaches| Part {
+                ground: ground(*tile, is_bed).shown(kind, imagery),
+                instance: Instance::new(tile.id, beaches),
+                shown,
+            };
+            let land = (land != 0 || beaches != 0).then(|| part(land, false, beaches));
+            land.into_iter().chain((bed != 0).then(|| part(bed, true, 0)))
         };
-        let parts: Vec<_> = tiles.iter().copied().zip(beaches).zip(shown).map(of_tile).collect();
+        let parts: Vec<_> = tiles.iter().zip(beaches).flat_map(of_tile).collect();
         self.kind = (kind, imagery);
-        self.tiles = parts.len() as u32;
+        self.tiles = tiles.len() as u32;
         let instances;
         (self.draws, instances) = draws(&parts, &self.blocks);
         for draw in &self.draws {

@@ -21,6 +21,7 @@ use ocean_globe::scene::frame::bisection::Bisection;
 use ocean_globe::scene::frame::uniform;
 use ocean_globe::scene::sea::{foam as scene_foam, foam_history};
 use ocean_globe::scene::towns;
+use ocean_globe::scene::view::map_tiles;
 
 /// Every composed shader with the file that it comes from.
 pub fn all() -> Vec<(&'static str, String)> {
@@ -61,13 +62,18 @@ pub fn all() -> Vec<(&'static str, String)> {
     for kind in Kind::all() {
         for imagery in [true, false] {
             all.push(("globe.wgsl", globe::source(kind, imagery)));
+            for bits in 0..4 {
+                let [rugged, reefs] = [1, 2].map(|bit| bits & bit != 0);
+                let bed = Ground { rugged, reefs, ..BED };
+                all.push(("land.wgsl", land::source(kind, imagery, bed)));
+            }
             let mut land = |near, rugged, beach| {
                 // What may show all of it, and of fine pictures none; of one kind each by itself as well.
                 let is_mixed = imagery && kind == Kind { fine: true, clouds: true, ..Kind::default() };
                 let least = if is_mixed || (kind.fine && imagery && !kind.measured) { 0 } else { 7 };
                 for bits in (least..8).filter(|bits| is_mixed || [0, 7].contains(bits)) {
                     let [town, inland, reefs] = [1, 2, 4].map(|bit| bits & bit != 0);
-                    let ground = Ground { near, beach, rugged, town, inland, reefs };
+                    let ground = Ground { near, beach, rugged, town, inland, reefs, bed: false };
                     all.push(("land.wgsl", land::source(kind, imagery, ground)));
                 }
             };
@@ -255,11 +261,31 @@ fn constants(source: &str, name: &str) -> Vec<f64> {
     }
 }
 
+const BED: Ground = Ground {
+    near: Near::Nothing,
+    beach: Beach::Absent,
+    rugged: false,
+    town: false,
+    inland: false,
+    reefs: false,
+    bed: true,
+};
+
 #[test]
 fn constants_are_equal_on_both_sides() {
     let ocean = ocean::source(Look::default());
-    let ground = Ground { near: Near::Lakes, beach: Beach::Only, rugged: true, town: true, inland: true, reefs: true };
+    let ground = Ground {
+        near: Near::Lakes,
+        beach: Beach::Only,
+        rugged: true,
+        town: true,
+        inland: true,
+        reefs: true,
+        bed: false,
+    };
     let land = land::source(Kind::default(), true, ground);
+    assert_eq!(constants(&land, "SHORE_SAND")[1], map_tiles::SHORE_SAND_M);
+    assert_eq!(constant(&land, "LEAST_SINKING"), f64::from(map_tiles::LEAST_SINKING as f32));
     assert_eq!(constant(&land, "TOWN_SIDE"), towns::SIDE as f64);
     assert_eq!(constants(&land, "TOWN_SHIFTS"), towns::SHIFTS.map(f64::from));
     assert_eq!(constant(&ocean, "MAX_CELLS"), wave_domain::MAX_CELLS as f64);

@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use super::{Beach, Ground};
 use crate::data::tile::TileId;
 use crate::gpu::mesh::grid_triangles;
-use crate::scene::view::map_tiles::{ALL_BLOCKS, BLOCKS};
+use crate::scene::view::map_tiles::{ALL_BLOCKS, BLOCKS, DrawnTile};
 
 /// Cells along a side of a tile's grid; equals `GRID` in `shaders/land.wgsl`.
 pub const GRID: u32 = 16;
@@ -68,15 +68,23 @@ pub(super) struct Part {
     pub(super) shown: u32,
 }
 
-/// Bits of tiles' blocks, as long as there is room for those that are drawn by themselves: those of later tiles are `otherwise`, which need none.
-pub(super) fn with_room(tiles: Vec<u32>, otherwise: u32, room: &mut usize) -> Vec<u32> {
-    let fitting = |bits: u32| {
-        let count = if bits == otherwise { 0 } else { bits.count_ones() as usize };
-        let fits = count <= *room;
-        *room -= if fits { count } else { 0 };
-        if fits { bits } else { otherwise }
-    };
-    tiles.into_iter().map(fitting).collect()
+/// Bits of tiles' blocks, as long as there is room for those that are drawn by themselves: later tiles have none.
+pub(super) fn with_room(tiles: Vec<u32>, room: &mut usize) -> Vec<u32> {
+    tiles.into_iter().map(|bits| if takes(bits.count_ones(), room) { bits } else { 0 }).collect()
+}
+
+/// Bits of a tile's blocks that are drawn as land, and as the sea's bed alone: as there is no room for them all of it as land.
+pub(super) fn land_and_bed(tile: &DrawnTile, room: &mut usize) -> [u32; 2] {
+    let parts = [tile.shown & !tile.bed, tile.shown & tile.bed];
+    let by_themselves = parts.into_iter().filter(|bits| *bits != ALL_BLOCKS).map(u32::count_ones).sum();
+    if takes(by_themselves, room) { parts } else { [ALL_BLOCKS, 0] }
+}
+
+/// Takes room for so many blocks, if there is as much.
+fn takes(blocks: u32, room: &mut usize) -> bool {
+    let left = room.checked_sub(blocks as usize);
+    *room = left.unwrap_or(*room);
+    left.is_some()
 }
 
 /// The draws of tiles, and their instances one after the other. Ground with relief, which is near, comes first, and beaches last: what has been drawn beside
@@ -135,6 +143,7 @@ mod tests {
             town: false,
             inland: false,
             reefs: false,
+            bed: false,
         };
         let part = |x: u32, rugged: bool, beaches: u32, shown: u32| {
             let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 10, x, y: 5 };
@@ -180,8 +189,16 @@ mod tests {
     fn blocks_have_so_much_room_and_no_more() {
         let mut room = 9;
         // Eight of beaches, four that do not fit, one; then of hidden ones' tiles none fits.
-        assert_eq!(with_room(vec![0xff, 0xf, 0, 1], 0, &mut room), [0xff, 0, 0, 1]);
-        assert_eq!(with_room(vec![0xf, ALL_BLOCKS], ALL_BLOCKS, &mut room), [ALL_BLOCKS; 2]);
+        assert_eq!(with_room(vec![0xff, 0xf, 0, 1], &mut room), [0xff, 0, 0, 1]);
+        let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 10, x: 3, y: 5 };
+        let divided = |shown, bed, room| {
+            let mut room = room;
+            (land_and_bed(&DrawnTile { id, is_rugged: false, shown, bed }, &mut room), room)
+        };
+        assert_eq!(divided(0xf, 0, 0), ([ALL_BLOCKS, 0], 0));
+        assert_eq!(divided(ALL_BLOCKS, ALL_BLOCKS, 0), ([0, ALL_BLOCKS], 0));
+        assert_eq!(divided(0x0fff, 0x00ff, 20), ([0x0f00, 0x00ff], 8));
+        assert_eq!(divided(ALL_BLOCKS, 0x00ff, 15), ([ALL_BLOCKS, 0], 15));
         assert_eq!(room, 0);
     }
 

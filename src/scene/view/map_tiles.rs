@@ -67,6 +67,8 @@ pub struct DrawnTile {
     pub is_rugged: bool,
     /// A bit for each block that the sea does not hide.
     pub shown: u32,
+    /// A bit for each of them that has the sea's bed alone, without land or the sand of its shore.
+    pub bed: u32,
 }
 
 /// Blocks along a side of a tile, two levels of tiles down: each may be hidden, and have beaches, by itself; equals `BLOCKS` in `shaders/land.wgsl`.
@@ -74,8 +76,14 @@ pub const BLOCKS: u32 = 4;
 /// Bits of all of a tile's blocks.
 pub const ALL_BLOCKS: u32 = (1 << (BLOCKS * BLOCKS)) - 1;
 
-/// Where the sea hides fewer blocks of a tile all are drawn at once, which spares more than these take.
+/// Where the sea hides fewer blocks of a tile all are drawn at once, which spares more than these take; so are those of a bed.
 const WORTH_HIDING: u32 = 4;
+
+/// Farther from the shore than this, metres, and than half a pixel of the flattest sight, nothing of the land shows on a bed: as `SHORE_SAND` of
+/// `shaders/lib/ground.wgsl` and `LEAST_SINKING` of `shaders/lib/shore_pixels.wgsl`.
+pub const SHORE_SAND_M: f64 = 80.0;
+/// The flattest sight over the ground.
+pub const LEAST_SINKING: f64 = 0.02;
 
 /// Bits of a tile's blocks, row by row, of which `has` is true; it is of a tile if it is of one within it.
 pub fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
@@ -273,7 +281,20 @@ pub fn drawn_tiles(
         let shown = blocks_with(id, &|block| block == id || !hiding.hides(block, coarsest, tiles));
         if (ALL_BLOCKS ^ shown).count_ones() < WORTH_HIDING { ALL_BLOCKS } else { shown }
     };
-    ids.into_iter().map(|id| DrawnTile { id, is_rugged: is_rugged(id), shown: shown(id) }).collect()
+    let bed = |id| {
+        let b = bounds(id);
+        let far_m = b.centre.distance(visibility.eye) + b.radius;
+        let coarsest = coarsest_level(id, &b, far_m, &visibility);
+        let apart_m = SHORE_SAND_M.max(0.5 * far_m * visibility.pixel_angle / LEAST_SINKING);
+        let has_land = |id| tiles.shore_m(id, coarsest).is_none_or(|shore_m| shore_m.least < apart_m);
+        let bed = ALL_BLOCKS ^ blocks_with(id, &has_land);
+        if bed.count_ones() < WORTH_HIDING { 0 } else { bed }
+    };
+    let drawn = |id| {
+        let shown = shown(id);
+        DrawnTile { id, is_rugged: is_rugged(id), shown, bed: bed(id) & shown }
+    };
+    ids.into_iter().map(drawn).collect()
 }
 
 /// How many times finer than usual the cells of a tile have to be for its slope: gentle ones look in wider cells as they do in usual ones, and take much less time.
