@@ -17,13 +17,13 @@ const CLOUDS = true;
 const MIRRORS_CLOUDS = FINE;
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
-const MOST_LOOKS = 240u;
-const LOOKS_UNTIRED = 100.0;            // an eye among clouds looks on for long: from then on its steps grow with the number of looks
+const MOST_LOOKS = 320u;
+const LOOKS_UNTIRED = 120.0;            // an eye among clouds looks on for long: from then on its steps grow with the number of looks
 const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = 12.0;                     // steps in a cloud, of those between
-const FINE_STEPS = 13u;                 // as many of them go on behind a cloud before steps are wide again
+const FINER = vec2f(6.0, 12.0);         // steps in a cloud, of those between: at least, and as many as are wider than pixels
+const GOES_ON = 7.0 / 6.0;              // of a wide step, by fine ones, behind a cloud before steps are wide again
 const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
 const SUSPECTED = 0.0004;               // and of a wide step, that is not worth fine ones
@@ -177,8 +177,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
+        let finer = clamp(wide / (max(t, 1.0) * cloud_pixel()), FINER.x, FINER.y);
         let tired = max(f32(look) / LOOKS_UNTIRED, 1.0);
-        let step = min(tired * select(wide, wide / FINER, is_fine), max(select(stretch.last, stretch.leaves, t < stretch.leaves) - t, 0.0));
+        let step = min(tired * select(wide, wide / finer, is_fine), max(select(stretch.last, stretch.leaves, t < stretch.leaves) - t, 0.0));
         // Wide steps are the same for all pixels.
         let sight = t + select(0.5, 0.5 + grain, is_fine) * step;
         let at = direction * sight;
@@ -240,7 +241,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         met_over = level.x - edge;
         last_x = select(x, last_x, is_lit);
         was_fine = is_fine;
-        let left = select(max(fine_left, 1u) - 1u, FINE_STEPS, is_lit | is_found | stays);
+        let left = select(max(fine_left, 1u) - 1u, u32(GOES_ON * finer), is_lit | is_found | stays);
         fine_left = select(left, fine_left, waits);
         // What the step before may have missed is looked at again.
         t = max(t + select(step, select(-0.5 * wide, 0.0, waits), waits | is_found), stretch.first);

@@ -1,6 +1,7 @@
 // Dry land, lakes and the sea bed: one grid per map tile, placed exactly relative to the eye. `MEASURED`, `UNDER_WATER` and
 // `FINE` are of src/pass/kind.rs; `RUGGED`, whether the ground has relief that the data do not hold, `INLAND`, whether there may be lakes or rivers,
-// `LAKES`, whether lakes may be so near that their waves show, `SWASH`, whether waves may run up it, `BESIDE`, whether that is drawn by itself, and `GROWTH`, whether what grows may show, of src/pass/land.rs.
+// `LAKES`, whether lakes may be so near that their waves show, `SWASH`, whether waves may run up it, `BESIDE`, whether that is drawn by itself, `GROWTH`, whether what grows may show,
+// `TOWN`, whether houses may, `REEFS`, whether there may be any, and `BED_ALONE`, as in lib/ground.wgsl, of src/pass/land.rs.
 // Long, but one thing: a place of the mesh, and the ground that a pixel of it shows, from what it is to its light through water and air.
 #import ground
 #import lace

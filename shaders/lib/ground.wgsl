@@ -1,5 +1,5 @@
 // Dry land, lakes and the sea bed. Who imports this declares IMAGERY and FINE (src/pass/kind.rs), GROWTH, whether pixels may be so narrow that they show
-// what grows on the ground and its grain, TOWN, whether there may be houses, and SHOWS_COVER, whether they may be so narrow
+// what grows on the ground and its grain, TOWN, whether there may be houses, SHOWS_COVER, whether they may be so narrow
 // that they show what covers the bed, DETAIL, whether so narrow that they show anything of `ground_detail`, and BED_ALONE, whether all is a bed on which
 // nothing of the land shows.
 // Long, but one thing: the ground's colour and light at a place, from what lies there over what grows, is built and has been washed up to how it is lit.

@@ -140,7 +140,7 @@ impl Land {
     }
 
     /// Sets the tiles of the next draw of a kind of picture, with imagery or without; what comes first should be near: it spares the shading of what it hides.
-    /// `ground`: what a tile is drawn with but for its beaches, or those of its blocks that have a bed alone; `has_beach`: whether it, or one of its descendants, may
+    /// `ground`: what a tile is drawn with but for its beaches, and, for `true`, those of its blocks that have a bed alone; `has_beach`: whether it, or one of its descendants, may
     /// have some that waves run up.
     pub fn set_tiles(
         &mut self,

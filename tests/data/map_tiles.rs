@@ -10,7 +10,9 @@ use ocean_globe::model::optics::{OPAQUE_ALPHA, opaque_depth_m, water_alpha};
 use ocean_globe::model::relief::WIDEST_M;
 use ocean_globe::pass::land::GRID;
 use ocean_globe::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
-use ocean_globe::scene::view::map_tiles::{BLOCKS, DrawnTile, Hiding, deepest_mesh, drawn_tiles, wanted_tiles};
+use ocean_globe::scene::view::map_tiles::{
+    BLOCKS, DrawnTile, Hiding, SHORE_SAND_M, deepest_mesh, drawn_tiles, wanted_tiles,
+};
 
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data");
 const SIZE: [u32; 2] = [640, 360];
@@ -162,9 +164,9 @@ fn cells_are_wide_where_slopes_are_gentle_and_no_pixel_off_the_ground() {
 }
 
 #[test]
-fn what_the_sea_hides_is_deep_ocean() {
+fn what_the_sea_hides_is_deep_ocean_and_a_bed_alone_is_ocean() {
     let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
-    let (mut judged, mut hidden_blocks) = (0, 0);
+    let (mut judged, mut hidden_blocks, mut bed_blocks) = (0, 0, 0);
     // Coasts with islets, an archipelago, a shelf sea, the antimeridian, both polar maps; water of three densities.
     for (place, rho) in [
         ([28.8545, -13.792, 560.0, 253.0, 71.0], 0.2),
@@ -210,6 +212,19 @@ fn what_the_sea_hides_is_deep_ocean() {
                 judged += 1;
             }
         }
+        // A bed alone has nothing of the land, nor of its shore's sand.
+        for tile in &parts {
+            for block in (0..BLOCKS * BLOCKS).filter(|block| tile.bed >> block & 1 != 0) {
+                let [x, y] = [block % BLOCKS, block / BLOCKS];
+                let id = TileId { z: tile.id.z + 2, x: tile.id.x * BLOCKS + x, y: tile.id.y * BLOCKS + y, ..tile.id };
+                for (lat, lon) in places(id) {
+                    let sample = world.sample_blocking(lat, lon).unwrap();
+                    let shore_m = sample.shore_distance_m.unwrap_or(f64::INFINITY);
+                    assert!(sample.depth_m.is_some() && shore_m >= SHORE_SAND_M, "{id}: {shore_m} m at {lat}, {lon}");
+                }
+                bed_blocks += 1;
+            }
+        }
         println!(
             "{place:?}: {} drawn but for {} blocks, {} hidden",
             drawn.len(),
@@ -217,6 +232,7 @@ fn what_the_sea_hides_is_deep_ocean() {
             hidden.len() - blocks.len()
         );
     }
+    assert!(bed_blocks > 300, "only {bed_blocks} blocks of a bed alone");
     // 81 places in each.
     assert!(
         judged > 81 * (hidden_blocks + 50) && hidden_blocks > 300,

@@ -358,6 +358,7 @@ fn clouds_have_no_teeth() {
     };
     let ratio = between(0.2, 0.24) / between(0.32, 0.34);
     println!("power at 4.5 pixels over that at 3: {ratio:.2}");
-    // That of soft edges falls with the fourth power of the frequency, by 5.1 from one to the other; teeth made it 8.2.
-    assert!(ratio < 6.0, "power at 4.5 pixels over that at 3 is {ratio}");
+    // That of soft edges falls with the fourth power of the frequency, by 5.1 from one to the other, and by chance some tenths more or less; teeth made
+    // it 8.4. An empty sky's noise has all frequencies alike.
+    assert!((3.0..6.5).contains(&ratio), "power at 4.5 pixels over that at 3 is {ratio}");
 }

@@ -73,11 +73,12 @@ pub(super) fn with_room(tiles: Vec<u32>, room: &mut usize) -> Vec<u32> {
     tiles.into_iter().map(|bits| if takes(bits.count_ones(), room) { bits } else { 0 }).collect()
 }
 
-/// Bits of a tile's blocks that are drawn as land, and as the sea's bed alone: as there is no room for them all of it as land.
+/// Bits of a tile's blocks that are drawn as land, and as the sea's bed alone; where there is no room for them as land those that are shown, or all.
 pub(super) fn land_and_bed(tile: &DrawnTile, room: &mut usize) -> [u32; 2] {
-    let parts = [tile.shown & !tile.bed, tile.shown & tile.bed];
-    let by_themselves = parts.into_iter().filter(|bits| *bits != ALL_BLOCKS).map(u32::count_ones).sum();
-    if takes(by_themselves, room) { parts } else { [ALL_BLOCKS, 0] }
+    let by_themselves =
+        |parts: [u32; 2]| parts.into_iter().filter(|bits| *bits != ALL_BLOCKS).map(u32::count_ones).sum();
+    let choices = [[tile.shown & !tile.bed, tile.shown & tile.bed], [tile.shown, 0]];
+    choices.into_iter().find(|parts| takes(by_themselves(*parts), room)).unwrap_or([ALL_BLOCKS, 0])
 }
 
 /// Takes room for so many blocks, if there is as much.
@@ -188,8 +189,9 @@ mod tests {
     #[test]
     fn blocks_have_so_much_room_and_no_more() {
         let mut room = 9;
-        // Eight of beaches, four that do not fit, one; then of hidden ones' tiles none fits.
+        // Eight of beaches, four that do not fit, one.
         assert_eq!(with_room(vec![0xff, 0xf, 0, 1], &mut room), [0xff, 0, 0, 1]);
+        assert_eq!(room, 0);
         let id = TileId { projection: crate::data::tile::Projection::Mercator, z: 10, x: 3, y: 5 };
         let divided = |shown, bed, room| {
             let mut room = room;
@@ -198,8 +200,9 @@ mod tests {
         assert_eq!(divided(0xf, 0, 0), ([ALL_BLOCKS, 0], 0));
         assert_eq!(divided(ALL_BLOCKS, ALL_BLOCKS, 0), ([0, ALL_BLOCKS], 0));
         assert_eq!(divided(0x0fff, 0x00ff, 20), ([0x0f00, 0x00ff], 8));
+        assert_eq!(divided(ALL_BLOCKS, 0x00ff, 16), ([0xff00, 0x00ff], 0));
         assert_eq!(divided(ALL_BLOCKS, 0x00ff, 15), ([ALL_BLOCKS, 0], 15));
-        assert_eq!(room, 0);
+        assert_eq!(divided(0x0fff, 0x00ff, 11), ([ALL_BLOCKS, 0], 11));
     }
 
     #[test]

@@ -52,7 +52,7 @@ const TAKEN: f64 = 0.68;
 /// Share of what they take that a picture is exposed for, in stops: a grey day looks like one.
 const EXPOSED_FOR: f64 = 0.67;
 
-/// Heights between which an eye comes to have its picture exposed for sunlit clouds below it, metres, and where that is half of what it is before
+/// Heights between which an eye comes to have its picture exposed for sunlit clouds below and beside it, metres, and where that is half of what it is before
 /// space, from where clouds are but a part of what is seen.
 const OVER_THEM_M: [f64; 3] = [1_000.0, 3_000.0, 80_000.0];
 /// Heights between which an eye comes to have its picture exposed for the sides of clouds that face the sun, metres.

@@ -79,11 +79,13 @@ pub const ALL_BLOCKS: u32 = (1 << (BLOCKS * BLOCKS)) - 1;
 /// Where the sea hides fewer blocks of a tile all are drawn at once, which spares more than these take; so are those of a bed.
 const WORTH_HIDING: u32 = 4;
 
-/// Farther from the shore than this, metres, and than half a pixel of the flattest sight, nothing of the land shows on a bed: as `SHORE_SAND` of
-/// `shaders/lib/ground.wgsl` and `LEAST_SINKING` of `shaders/lib/shore_pixels.wgsl`.
+/// Nothing of the land shows on a bed that is farther from the shore than this, metres, or than half a pixel of the flattest sight where that is more: as
+/// `SHORE_SAND` of `shaders/lib/ground.wgsl`.
 pub const SHORE_SAND_M: f64 = 80.0;
-/// The flattest sight over the ground.
+/// Sine by which the flattest sight sinks to the ground: as in `shaders/lib/shore_pixels.wgsl`.
 pub const LEAST_SINKING: f64 = 0.02;
+/// Of wide pixels, metres, their own rays tell the place, not the tile: as `chords_show` of `shaders/land.wgsl`.
+const CHORDS_SHOW_M: f64 = 200.0;
 
 /// Bits of a tile's blocks, row by row, of which `has` is true; it is of a tile if it is of one within it.
 pub fn blocks_with(id: TileId, has: &impl Fn(TileId) -> bool) -> u32 {
@@ -284,15 +286,29 @@ pub fn drawn_tiles(
     let bed = |id| {
         let b = bounds(id);
         let far_m = b.centre.distance(visibility.eye) + b.radius;
+        let pixel_m = far_m * visibility.pixel_angle;
+        if pixel_m > CHORDS_SHOW_M {
+            return 0;
+        }
         let coarsest = coarsest_level(id, &b, far_m, &visibility);
-        let apart_m = SHORE_SAND_M.max(0.5 * far_m * visibility.pixel_angle / LEAST_SINKING);
-        let has_land = |id| tiles.shore_m(id, coarsest).is_none_or(|shore_m| shore_m.least < apart_m);
-        let bed = ALL_BLOCKS ^ blocks_with(id, &has_land);
-        if bed.count_ones() < WORTH_HIDING { 0 } else { bed }
+        // Distances rise by the root of two at most where a spline smooths them.
+        let apart_m = SHORE_SAND_M.max(std::f64::consts::SQRT_2 * 0.5 * pixel_m / LEAST_SINKING);
+        let has_land = |id| {
+            let known = tiles.shore_m(id, coarsest).zip(tiles.elevations_m(id, coarsest));
+            known.is_none_or(|(shore_m, metres)| {
+                // A sight meets the sea's surface so far before the bed that it sees, and shaders look there as well.
+                let seen_m = hiding.map_or(-metres.least, |h| h.depth_m.min(-metres.least));
+                let before_m = seen_m * far_m / camera.altitude_m.max(1.0);
+                shore_m.least < apart_m + before_m.max(0.0)
+            })
+        };
+        ALL_BLOCKS ^ blocks_with(id, &has_land)
     };
     let drawn = |id| {
         let shown = shown(id);
-        DrawnTile { id, is_rugged: is_rugged(id), shown, bed: bed(id) & shown }
+        let bed = shown & bed(id);
+        let bed = if bed.count_ones() < WORTH_HIDING { 0 } else { bed };
+        DrawnTile { id, is_rugged: is_rugged(id), shown, bed }
     };
     ids.into_iter().map(drawn).collect()
 }
