@@ -17,12 +17,12 @@ const CLOUDS = true;
 const MIRRORS_CLOUDS = FINE;
 
 const MOST_STEPS = 24.0;                // through the whole layer from space
-const MOST_LOOKS = 320u;
-const LOOKS_UNTIRED = 120.0;            // an eye among clouds looks on for long: from then on its steps grow with the number of looks
+const MOST_LOOKS = 240u;
+const LOOKS_UNTIRED = 90.0;             // an eye among clouds looks on for long: from then on its steps grow with the number of looks
 const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = vec2f(6.0, 12.0);         // steps in a cloud, of those between: at least, and as many as are wider than pixels
+const FINER = vec2f(6.0, 9.0);          // steps in a cloud, of those between: at least, and as many as are wider than pixels
 const GOES_ON = 7.0 / 6.0;              // of a wide step, by fine ones, behind a cloud before steps are wide again
 const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
