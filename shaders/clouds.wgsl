@@ -22,7 +22,7 @@ const LOOKS_UNTIRED = 90.0;             // an eye among clouds looks on for long
 const SHORTEST_STEP: Metres = 60.0;     // of an eye among clouds; from space steps are no shorter than the second
 const SHORTEST_FROM_SPACE: Metres = 160.0;
 const STEP_OF_WAY = 0.11;               // steps grow with the way
-const FINER = vec2f(6.0, 9.0);          // steps in a cloud, of those between: at least, and as many as are wider than pixels
+const FINER = vec2f(6.0, 9.0);          // steps in a cloud, of those between: at least, and as many as are wider than four pixels
 const GOES_ON = 7.0 / 6.0;              // of a wide step, by fine ones, behind a cloud before steps are wide again
 const SUNWARDS: Metres = 160.0;         // where a cloud looks whether it is in the shadow of others
 const FAINT = 0.004;                    // shade that is not worth light
@@ -177,7 +177,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     loop {
         let wide = select(clamp(STEP_OF_WAY * t, SHORTEST_STEP, max(0.25 * length, SHORTEST_STEP)), from_space, is_wide);
         let is_fine = fine_left > 0u;
-        let finer = clamp(wide / (max(t, 1.0) * cloud_pixel()), FINER.x, FINER.y);
+        let finer = clamp(wide / (4.0 * max(t, 1.0) * cloud_pixel()), FINER.x, FINER.y);
         let tired = max(f32(look) / LOOKS_UNTIRED, 1.0);
         let step = min(tired * select(wide, wide / finer, is_fine), max(select(stretch.last, stretch.leaves, t < stretch.leaves) - t, 0.0));
         // Wide steps are the same for all pixels.
