@@ -63,7 +63,7 @@ const WARP: f32 = 0.08;            // how far an octave moves the next one, of i
 // As in lib/waves.wgsl, the loop ends at its foot.
 fn ground_detail(at: vec2u, footprint: Metres) -> Detail {
     var detail = NO_DETAIL;
-    detail.tillage = 0.0;
+    detail.tillage = 0.0;      // its mean stands for what does not show
     var bend = vec2f(0.0);
     var level = 13u;
     var place = at;
