@@ -5,6 +5,8 @@
 #import hash
 
 @group(0) @binding(0) var scene: texture_2d<f32>;
+// Elevations of the picture's middle and of its upward direction, where the filter before the sky begins, sines, and the part of light that comes through it.
+@group(0) @binding(1) var<uniform> sky_filter: vec4f;
 
 const INSET = mat3x3f(
     0.842479062253094, 0.0423282422610123, 0.0423756549057051,
@@ -46,10 +48,18 @@ fn displayed(radiance: vec3f) -> vec3f {
     return clamp(mix(vec3f(dot(toned, LUMA)), toned, SATURATION), vec3f(0.0), vec3f(1.0));
 }
 
+// The part of light that comes through the filter before the lens at a pixel: `SkyFilter::passed` of `src/scene/frame/sky_filter.rs`.
+fn filtered(pixel: vec2f) -> f32 {
+    let size = vec2f(textureDimensions(scene));
+    let seen = HALF_HEIGHT * (2.0 * pixel - size) / size.y;
+    let sine = (sky_filter.x - seen.y * sky_filter.y) * inverseSqrt(1.0 + dot(seen, seen));
+    return mix(1.0, sky_filter.w, smoothstep(0.0, FILTER_EDGE, sine - sky_filter.z));
+}
+
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2u(position.xy);
     let radiance = through_lens(scene, vec2i(pixel));
     let noise = f32(hash(vec3u(pixel, 0u)) >> 8u) / 16777216.0 - 0.5;
-    return vec4f(displayed(radiance) + noise / 255.0, 1.0);
+    return vec4f(displayed(filtered(position.xy) * radiance) + noise / 255.0, 1.0);
 }

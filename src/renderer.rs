@@ -50,7 +50,7 @@ pub use cost::Cost;
 use mesh::Mesh;
 use side::Side;
 use surface::Surface;
-use targets::{DEPTH_FORMAT, Passes, SAMPLES, Targets};
+use targets::{DEPTH_FORMAT, PICTURE_FORMAT, Passes, SAMPLES, Targets};
 pub use targets::{Radiance, TARGET_FORMAT};
 
 /// Tiles of coarser levels are drawn as if each had inland waters: those that their pixels show may lie in other tiles.
@@ -67,6 +67,8 @@ pub struct Renderer {
     seas: Seas,
     shores: Shores,
     radiance_format: wgpu::TextureFormat,
+    /// Whether the radiance has what is blended with surfaces and air, too.
+    blends: bool,
     streaming: Streaming,
     tiles: WorldTiles,
     towns: Towns,
@@ -81,7 +83,7 @@ pub struct Renderer {
     surface: Surface,
     mesh: Mesh,
     sky: Sky,
-    /// Where the radiance's format blends.
+    /// These four where the radiance has what is blended.
     stars: Option<Stars>,
     city_lights: Option<CityLights>,
     clouds: Option<Clouds>,
@@ -119,10 +121,12 @@ impl Renderer {
     /// As [`Renderer::new`].
     pub async fn with_radiance(gpu: Gpu, world: World, radiance: Radiance) -> Result<Self> {
         let device = gpu.clone();
-        device.validated(move || Self::build(gpu, world, radiance.format())).await
+        device.validated(move || Self::build(gpu, world, radiance)).await
     }
 
-    fn build(gpu: Gpu, world: World, radiance: wgpu::TextureFormat) -> Self {
+    fn build(gpu: Gpu, world: World, radiance: Radiance) -> Self {
+        let blends = radiance.blends();
+        let radiance = radiance.format(&gpu);
         let towns = Towns::new(&gpu);
         let tiles = WorldTiles::new(&gpu, &towns.buffer);
         let (atlases, pages) = tiles.bindings();
@@ -139,7 +143,6 @@ impl Renderer {
         let surface = Surface::new(&gpu, frame, light.map(Clone::clone), [&cloud_map.levels, &cloud_net]);
         let layout = &surface.layout;
         let mesh = Mesh::new(&gpu);
-        let blends = radiance == Radiance::Half.format();
         Self {
             cloud_light: CloudLight::new(&gpu, frame, layout, cloud_net),
             sky: Sky::new(&gpu, frame, layout, [radiance, DEPTH_FORMAT]),
@@ -148,11 +151,12 @@ impl Renderer {
             clouds: blends.then(|| Clouds::new(&gpu, frame, layout, radiance)),
             spindrift: blends.then(|| Spindrift::new(&gpu, [frame, layout], [radiance, DEPTH_FORMAT])),
             globe: Globe::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
-            below: Below::new(&gpu, frame, layout, radiance),
+            below: Below::new(&gpu, [frame, layout], radiance, blends),
             land: Land::new(&gpu, [frame, layout, &tiles.imagery_layout], [radiance, DEPTH_FORMAT]),
             ocean: Ocean::new(&gpu, frame, layout, &mesh.layout, [radiance, DEPTH_FORMAT]),
             passes: Passes::new(&gpu, radiance),
             radiance_format: radiance,
+            blends,
             streaming: Streaming::default(),
             tiles,
             towns,
@@ -416,6 +420,7 @@ impl Renderer {
             self.below.draw(encoder, (frame, kind), pictures, groups, (from_below.as_ref(), clear), sea);
             stages.end(encoder, "under water");
         }
+        self.passes.filter(&self.gpu, &frame.sky_filter);
         self.passes.draw_tone(encoder, targets, frame.is_fine(), target);
         stages.end(encoder, "tone");
         stages.resolve(encoder);
@@ -455,7 +460,7 @@ impl Renderer {
     /// Makes the textures of the picture's size.
     fn fit(&mut self, frame: &Frame) {
         // From space there are no edges but the limb's, which its own shader makes smooth.
-        let is_picture = self.visible.is_some() && self.radiance_format == Radiance::Half.format();
+        let is_picture = self.visible.is_some() && self.radiance_format == PICTURE_FORMAT;
         let smooth = is_picture && frame.has_smooth_edges(self.gpu.software);
         let samples = if smooth { SAMPLES } else { 1 };
         let places = (is_picture && !smooth && frame.keeps_places()).then_some(frame.size);
@@ -536,7 +541,7 @@ impl Renderer {
         &self.below.caustics.map
     }
 
-    /// The plumes of the last frame that showed spindrift, see [`spindrift::Plume`]; `None` where nothing blends.
+    /// The plumes of the last frame that showed spindrift, see [`spindrift::Plume`]; `None` where the radiance has nothing that is blended.
     pub fn plumes(&self) -> Option<&wgpu::Buffer> {
         self.spindrift.as_ref().map(Spindrift::plumes)
     }

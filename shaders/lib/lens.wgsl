@@ -1,7 +1,7 @@
 // What a lens, a sensor and an eye make of a picture's light: a point is no pixel, and a little of its light glows around where it came from.
 
-@group(0) @binding(1) var glow: texture_2d<f32>;
-@group(0) @binding(2) var clamped: sampler;
+@group(0) @binding(2) var glow: texture_2d<f32>;
+@group(0) @binding(3) var clamped: sampler;
 
 const GLOWING = 0.03;
 // On either side of a pixel, right and left as well as up and down, so much of its light is found. The sun on the water is hundreds of times

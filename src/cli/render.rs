@@ -46,6 +46,11 @@ pub enum LayerName {
 }
 
 impl LayerName {
+    /// Whether it is of the picture's light.
+    pub fn is_of_light(self) -> bool {
+        self.output() == Output::Picture
+    }
+
     fn output(self) -> Output {
         match self {
             Self::Lonlat => Output::LonLat,
@@ -158,20 +163,28 @@ pub fn picture(renderer: &mut Renderer, state: &ViewState, size: [u32; 2]) -> Re
 /// A measured layer of a state.
 ///
 /// # Errors
-/// As [`picture`]; [`Error::Gpu`] where the renderer does not hold [`Radiance::Single`].
+/// As [`picture`]; [`Error::Gpu`] where the renderer holds 16-bit floats and the layer is other than radiance and luminance.
 pub fn measure(renderer: &mut Renderer, state: &ViewState, size: [u32; 2], layer: LayerName) -> Result<Measured> {
     let (frame, _) = draw(renderer, state, size, layer.output())?;
     let Some(texture) = renderer.radiance() else {
         return Err(Error::gpu("nothing was drawn", "report this"));
     };
-    if texture.format() != wgpu::TextureFormat::Rgba32Float {
+    let is_single = texture.format() == wgpu::TextureFormat::Rgba32Float;
+    if !is_single && !layer.is_of_light() {
         return Err(Error::gpu(
-            "a layer is measured in floats of 32 bits, this renderer has others",
+            "this layer is measured in floats of 32 bits, this renderer has others",
             "make it with Radiance::Single",
         ));
     }
     let bytes = renderer.gpu().read_texture(texture, 0, 0)?;
-    let texels = bytes.chunks_exact(16).map(|t| bytemuck::pod_read_unaligned::<[f32; 4]>(t).map(f64::from));
+    let texel = |texel: &[u8]| -> [f64; 4] {
+        if is_single {
+            bytemuck::pod_read_unaligned::<[f32; 4]>(texel).map(f64::from)
+        } else {
+            bytemuck::pod_read_unaligned::<[u16; 4]>(texel).map(|part| half::f16::from_bits(part).to_f64())
+        }
+    };
+    let texels = bytes.chunks_exact(if is_single { 16 } else { 8 }).map(texel);
     let sky = |t: &[f64; 4]| t[3] == 0.0;
     // By moonlight the unit of radiance is the moon's.
     let exposure = f64::from(frame.uniform.exposure) * f64::from(frame.uniform.night);

@@ -23,12 +23,16 @@ pub struct Gpu {
     pub(super) made: Arc<Made>,
 }
 
-/// What is asked of any device: the WebGPU defaults, and of what is beyond them only what the adapter has: filtering of 32-bit
+/// What is used where an adapter has it.
+const BETTER: wgpu::Features =
+    wgpu::Features::FLOAT32_FILTERABLE.union(wgpu::Features::FLOAT32_BLENDABLE).union(Stages::FEATURES);
+
+/// What is asked of any device: the WebGPU defaults, and of what is beyond them only what the adapter has: filtering and blending of 32-bit
 /// floats, and timestamps for measurements.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("ocean-globe"),
-        required_features: adapter.features() & (wgpu::Features::FLOAT32_FILTERABLE | Stages::FEATURES),
+        required_features: adapter.features() & BETTER,
         required_limits: wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d.clamp(8192, 16384),
             ..wgpu::Limits::default()

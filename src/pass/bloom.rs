@@ -81,10 +81,11 @@ impl Bloom {
         gpu: &Gpu,
         shown: &FullScreen,
         radiance: &wgpu::TextureView,
+        filter: &wgpu::Buffer,
         glow: &Glow,
     ) -> wgpu::BindGroup {
         let [radiance, glow] = [radiance, &glow.view].map(wgpu::BindingResource::TextureView);
-        shown.read(gpu, &[radiance, glow, wgpu::BindingResource::Sampler(&self.clamped)])
+        shown.read(gpu, &[radiance, filter.as_entire_binding(), glow, wgpu::BindingResource::Sampler(&self.clamped)])
     }
 
     /// The passes of a frame.

@@ -1,7 +1,7 @@
 //! The picture of an eye in the sea, and of one that the surface cuts through.
 
 use super::side::Side;
-use super::targets::{DEPTH_FORMAT, Passes, Radiance, Targets};
+use super::targets::{DEPTH_FORMAT, Passes, Targets};
 use crate::gpu::drawing::{DepthUse, begin, resume};
 use crate::gpu::{Gpu, texture};
 use crate::pass::bed_light::BedLight;
@@ -14,23 +14,22 @@ use crate::scene::frame::Frame;
 /// The passes under water.
 pub(super) struct Below {
     pub(super) caustics: Caustics,
-    /// What an eye over the water sees of the caustics, where the radiance's format blends.
+    /// What an eye over the water sees of the caustics, where the radiance has what is blended.
     bed_light: Option<BedLight>,
     deep: Deep,
-    /// Where the radiance's format blends.
+    /// Where the radiance has what is blended.
     waterline: Option<Waterline>,
 }
 
 impl Below {
-    /// `frame` and `surface` are the layouts of bind groups 0 and 1, `radiance` the scene's format.
+    /// `frame` and `surface` are the layouts of bind groups 0 and 1, `radiance` the scene's format, `blends` whether the radiance has what is blended.
     pub(super) fn new(
         gpu: &Gpu,
-        frame: &wgpu::BindGroupLayout,
-        surface: &wgpu::BindGroupLayout,
+        [frame, surface]: [&wgpu::BindGroupLayout; 2],
         radiance: wgpu::TextureFormat,
+        blends: bool,
     ) -> Self {
         let caustics = Caustics::new(gpu, frame, surface);
-        let blends = radiance == Radiance::Half.format();
         Self {
             deep: Deep::new(gpu, frame, surface, &caustics.map, [radiance, DEPTH_FORMAT]),
             caustics,

@@ -1,7 +1,7 @@
 //! What a frame needs of the world before it can be drawn, tiles, lees and waves by shores, and where its eye can be.
 
+use super::Renderer;
 use super::side::Side;
-use super::{Radiance, Renderer};
 use crate::data::exposure::Water;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
@@ -97,8 +97,7 @@ impl Renderer {
         let (lat, lon) = (frame.camera.lat, frame.camera.lon);
         let place = self.place_below(&frame.camera);
         let shore = place.as_ref().and_then(|place| self.shore_waves(place, (lat, lon), frame.ticks()));
-        let blends = self.radiance_format == Radiance::Half.format();
-        Side::of(frame, place.as_ref(), shore.as_ref(), [blends, self.gpu.software])
+        Side::of(frame, place.as_ref(), shore.as_ref(), [self.blends, self.gpu.software])
     }
 
     /// The trains of waves of a shore at a place, where their windows are there.

@@ -47,8 +47,8 @@ const INLAND: f64 = 1.5;
 const INLAND_M: f64 = 50_000.0;
 
 impl Side {
-    /// That of a frame over the ocean, or over land, with the trains of waves of a shore. Whether the radiance's format blends, and whether
-    /// software draws.
+    /// That of a frame over the ocean, or over land, with the trains of waves of a shore. Whether the radiance has what is blended, and
+    /// whether software draws.
     pub(super) fn of(
         frame: &Frame,
         place: Option<&Sample>,

@@ -6,10 +6,14 @@ use crate::gpu::full_screen::FullScreen;
 use crate::gpu::texture::{self, Shape};
 use crate::pass::bloom::{Bloom, Glow};
 use crate::pass::{backdrop, tonemap};
+use crate::scene::frame::sky_filter::SkyFilter;
 
 /// Format of the target that [`Renderer::render`](super::Renderer::render) draws into: display (gamma) values.
 pub const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// What the radiance of pictures is stored in.
+pub(super) const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 /// Samples of a pixel where edges are smooth.
 pub(super) const SAMPLES: u32 = 4;
@@ -19,16 +23,26 @@ pub(super) const SAMPLES: u32 = 4;
 pub enum Radiance {
     /// 16-bit floats, for pictures.
     Half,
-    /// 32-bit floats, for measured layers.
+    /// 32-bit floats of surfaces and clear air alone, for measured layers: without what is blended with them, which is clouds, stars, lamps, spindrift,
+    /// the light that waves gather on a bed, and a surface that cuts through the picture.
     Single,
+    /// All of a picture's radiance: 32-bit floats where the device blends those, else as [`Radiance::Half`].
+    Whole,
 }
 
 impl Radiance {
-    pub(super) fn format(self) -> wgpu::TextureFormat {
-        match self {
-            Self::Half => wgpu::TextureFormat::Rgba16Float,
-            Self::Single => wgpu::TextureFormat::Rgba32Float,
-        }
+    pub(super) fn format(self, gpu: &Gpu) -> wgpu::TextureFormat {
+        let single = match self {
+            Self::Half => false,
+            Self::Single => true,
+            Self::Whole => gpu.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE),
+        };
+        if single { wgpu::TextureFormat::Rgba32Float } else { PICTURE_FORMAT }
+    }
+
+    /// Whether the radiance has what is blended, too.
+    pub(super) fn blends(self) -> bool {
+        self != Self::Single
     }
 }
 
@@ -41,22 +55,31 @@ pub(super) struct Passes {
     plain: FullScreen,
     /// And through a lens, which glows.
     glowing: FullScreen,
+    /// What is before the lens.
+    sky_filter: wgpu::Buffer,
 }
 
 impl Passes {
     /// Those of scenes whose radiance is stored as `radiance`.
     pub(super) fn new(gpu: &Gpu, radiance: wgpu::TextureFormat) -> Self {
+        use wgpu::BufferUsages as U;
         Self {
             backdrops: [1, SAMPLES].map(|samples| backdrop::pass(gpu, [radiance, DEPTH_FORMAT], samples)),
             bloom: Bloom::new(gpu),
             plain: tonemap::pass(gpu, TARGET_FORMAT, false),
             glowing: tonemap::pass(gpu, TARGET_FORMAT, true),
+            sky_filter: gpu.empty_buffer("sky filter", U::UNIFORM | U::COPY_DST, 16),
         }
     }
 
     /// The scene where the sea has left it.
     pub(super) fn draw_backdrop(&self, pass: &mut wgpu::RenderPass, targets: &Targets) {
         self.backdrops[usize::from(targets.samples.is_some())].draw(pass, &targets.backdrop);
+    }
+
+    /// Takes what is before the lens.
+    pub(super) fn filter(&self, gpu: &Gpu, filter: &SkyFilter) {
+        gpu.queue.write_buffer(&self.sky_filter, 0, bytemuck::cast_slice(&filter.uniform()));
     }
 
     /// From radiance to the display, through a lens, which glows, if that is asked for.
@@ -105,15 +128,17 @@ impl Targets {
         let scene_depth = depth("scene depth", picture);
         let radiance = gpu.texture("radiance", picture, format, T::RENDER_ATTACHMENT | T::COPY_SRC);
         let view = texture::view(&radiance);
-        let glow = (format == Radiance::Half.format()).then(|| {
+        let glow = (format == PICTURE_FORMAT).then(|| {
             let glow = passes.bloom.glow(gpu, size, &view);
-            let group = passes.bloom.read_with(gpu, &passes.glowing, &view, &glow);
+            let group = passes.bloom.read_with(gpu, &passes.glowing, &view, &passes.sky_filter, &glow);
             (glow, group)
         });
         Self {
             backdrop: passes.backdrops[usize::from(smooth)]
                 .read(gpu, &[&scene, &scene_depth].map(wgpu::BindingResource::TextureView)),
-            plain: passes.plain.read(gpu, &[wgpu::BindingResource::TextureView(&view)]),
+            plain: passes
+                .plain
+                .read(gpu, &[wgpu::BindingResource::TextureView(&view), passes.sky_filter.as_entire_binding()]),
             glow,
             size,
             scene,

@@ -68,7 +68,8 @@ pub fn run(args: &RenderArgs) -> Result<()> {
     };
     let state = parse_state(&args.state)?;
     is_named(&args.output, &["npy"])?;
-    let mut renderer = headless(&args.data, Radiance::Single)?;
+    let radiance = if layer.is_of_light() { Radiance::Whole } else { Radiance::Single };
+    let mut renderer = headless(&args.data, radiance)?;
     write_npy(&args.output, &measure(&mut renderer, &state, size, layer)?)
 }
 

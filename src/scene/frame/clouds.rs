@@ -4,12 +4,14 @@ use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::overcast;
-use crate::scene::frame::exposure::{for_sunlit_sides, into_sun, near_ground};
+use crate::scene::frame::CUT_M;
+use crate::scene::frame::exposure::{for_clouds_in_view, for_sunlit_sides, into_sun, near_ground};
 use crate::scene::frame::rim;
+use crate::scene::frame::sky_filter::SkyFilter;
 use crate::scene::frame::uniform::FrameUniform;
 use crate::scene::layers::Layer;
 use crate::scene::settings::{Quality, Settings};
-use crate::scene::view::camera::Camera;
+use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
 /// The clouds of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,17 +66,22 @@ const LEAST_TOGETHER: f64 = 0.4;
 /// How many times more light clouds all over the ground send up than a picture is exposed for; ours, of some that leave their tops shaded.
 const OVER_THEM: f64 = 0.6;
 
+/// Share, in stops, of what a picture with clouds is exposed less for that a filter before its sky takes; the rest is taken from all of it.
+const FILTERED: f64 = 0.7;
+
 /// By the sun's height, its sine, times this, at most wholly.
 const OVER_THEM_SUN: f64 = 4.0;
 
-/// Where the eye is among the clouds, and how much less light it has there, or more above them; returns those that it sees, where there are any.
+/// Where the eye is among the clouds, and how much less light it has there, or more above them; returns those that it sees, where there are any, and the filter that they
+/// are taken with.
 pub fn set_clouds(
     u: &mut FrameUniform,
     settings: &Settings,
     camera: &Camera,
     unix_seconds: f64,
     size: [u32; 2],
-) -> Option<Clouds> {
+) -> (Option<Clouds>, SkyFilter) {
+    let mut grey = 1.0;
     let drift = clouds::drift(unix_seconds);
     let (sin, cos) = libm::sincos(drift);
     let eye = camera.eye_ecef();
@@ -96,6 +103,12 @@ pub fn set_clouds(
         // No sun burns where clouds hide it.
         let sun = u.sun.as_dvec3();
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
+        let forward = camera.basis_enu().forward;
+        let sky = (0.5 + forward.z / FIELD_OF_VIEW_Y).clamp(0.0, 1.0);
+        let seen = libm::pow(for_clouds_in_view(share, for_sunlit_sides(sun.z), forward.dot(sun), sky), below);
+        let over_water = (0.5 + 0.5 * camera.altitude_m / CUT_M).clamp(0.0, 1.0);
+        grey = libm::pow(seen, FILTERED * over_water);
+        u.exposure *= libm::pow(seen, 1.0 - FILTERED) as f32;
         u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
         u.exposure /= (1.0 + OVER_THEM * over * share * share) as f32;
         // Towards the sun their shaded sides are seen, for which `into` is enough.
@@ -106,7 +119,9 @@ pub fn set_clouds(
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;
-    shown.then(|| Clouds { net, weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M })
+    let clouds =
+        shown.then(|| Clouds { net, weather, area: area(camera, size), are_below: camera.altitude_m > clouds::BASE_M });
+    (clouds, SkyFilter::new(camera, grey))
 }
 
 /// How much longer a picture is exposed below clouds that cover a share of the sky: for two thirds of the light that they take, in stops.

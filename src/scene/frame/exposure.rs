@@ -23,6 +23,13 @@ const GLOW_HALVED_BY: f64 = 0.02;
 /// Where half of the exposure is that of a picture from space, m.
 const SPACE_M: f64 = 40_000.0;
 
+/// Radiance of a sea, a clear sky, a cloud's sunlit side and its base, of white level ground's, as [`BRIGHTER`] has the first two; and how much of a cloud's side is
+/// shaded where it stands before the sun.
+const SEA: f64 = 0.05;
+const CLEAR_SKY: f64 = 0.25;
+const CLOUD: f64 = 0.7;
+const BASES: f64 = 0.25;
+const SHADED: f64 = 0.6;
 /// Factor from radiance (in units of the sun's irradiance beyond the air, per steradian) to what the display's tone is made of, for an eye
 /// at `altitude_m` over a place where the sine of the sun's elevation is `mu`.
 ///
@@ -53,6 +60,20 @@ pub fn near_ground(altitude_m: f64) -> f64 {
 pub fn for_sunlit_sides(mu: f64) -> f64 {
     let light = metered(mu);
     light / daylight::facing_the_sun(mu).max(light)
+}
+
+/// Factor of the exposure of a picture from below clouds, as a camera that meters what it sees has it: `share` is the part of the sky that they cover, `sides` what
+/// [`for_sunlit_sides`] says, `towards` the cosine of the angle between the view and the sun, `sky` the part of the picture that is sky.
+///
+/// All in the light that a white level ground sends back. That is the picture's mean without clouds over that with them, at most 1.
+pub fn for_clouds_in_view(share: f64, sides: f64, towards: f64, sky: f64) -> f64 {
+    let sunlit = CLOUD / sides * (1.0 - SHADED * 0.5 * (1.0 + towards));
+    // They stand one behind another, and the sun reaches their sides until few gaps are left.
+    let [hidden, lit] = [1.0 - (1.0 - share).powi(2), 1.0 - share.powi(4)];
+    let cloud = lit * sunlit + (1.0 - lit) * BASES;
+    let clear = sky * CLEAR_SKY + (1.0 - sky) * SEA;
+    let cloudy = clear + sky * hidden * (cloud - CLEAR_SKY);
+    clear / cloudy.max(clear)
 }
 
 /// Irradiance that a picture is exposed for.

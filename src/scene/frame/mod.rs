@@ -21,6 +21,7 @@ use crate::scene::view::camera::Camera;
 use crate::scene::view::map_tiles::RELIEF_M;
 pub use clouds::Clouds;
 pub use place::BED_SIDE_M;
+use sky_filter::SkyFilter;
 pub use uniform::{FrameUniform, NEAR_M, Output};
 use uniform::{SHOWS_LAND, SHOWS_SEA, SHOWS_SKY, WaveCell};
 
@@ -32,6 +33,7 @@ mod light;
 mod night;
 mod place;
 mod rim;
+pub mod sky_filter;
 pub mod uniform;
 mod water;
 mod wave_cells;
@@ -70,6 +72,8 @@ pub struct Frame {
     pub shows_city_lights: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
+    /// What is before the lens.
+    pub sky_filter: SkyFilter,
     /// The pixels that show any of the sky but stars to an eye in space, or of the sky beside land and sea to one that is nearer: left, top, width, height.
     pub sky_area: [u32; 4],
     /// How much the picture may cost.
@@ -171,7 +175,7 @@ impl Frame {
         light::set_light(&mut uniform, settings.haze, camera, unix_seconds);
         water::set_sea(&mut uniform, settings, &sea);
         water::set_gusts(&mut uniform, settings.wind_from());
-        let clouds = clouds::set_clouds(&mut uniform, settings, camera, unix_seconds, size);
+        let (clouds, sky_filter) = clouds::set_clouds(&mut uniform, settings, camera, unix_seconds, size);
         let is_coarse = nearest_pixel_m(&uniform, camera) > COARSE_SEA_FROM_M;
         uniform.cell_pixels = cell_pixels(if is_coarse { Quality::Low } else { settings.quality }, size) as f32;
         let (wave_cells, count, foam_eye) = wave_cells::around(&uniform, settings, camera, &sea);
@@ -204,6 +208,7 @@ impl Frame {
             shows_trains: true,
             shows_city_lights: light::city_lights_show(&uniform, settings),
             clouds,
+            sky_filter,
             sky_area: rim::of_sky(&uniform, camera, size),
             quality: settings.quality,
             bisection,
