@@ -143,7 +143,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
         rocky = smoothstep(0.0, 0.2, rocky) * smoothstep(covers + COVES.z, covers, map_noise(point.at, 15u, 83u));
     }
     var built = NOT_BUILT_UP;
-    if TOWN && !is_apart { built = built_up(point.at, length(terrain), footprint); }
+    if TOWN && !is_apart { built = built_up(point.at, max(length(terrain), length(slope)), footprint); }
     // Towns have quays where few waves come, and beaches else.
     let bank = kind_seen * max(at.kind.bank, built.share * smoothstep(QUAYS.x, QUAYS.y, at.kind.bank));
     let towers = made.towers * kind_seen;

@@ -54,8 +54,10 @@ fn reef_at(share: f32, at: vec2u, cos_lat: f32, wide: Metres, none: bool) -> Ree
     // The finer one rises within so much shorter cells.
     let steeper = f32(1u << (REEFS_BITS.z - REEFS_BITS.y));
     let line = noises[2] + REEFS_PASS_BENDS * vec3f(1.0, steeper, steeper) * noises[1];
-    return Reef(share, min(share * REEFS_CREST * varied, REEFS_FARTHEST), REEFS_CREST_DEPTH.x + dot(REEFS_CREST_ROUGH, values.yz),
-        cell * abs(line.x) / max(length(line.yz), 0.3) * exp2(REEFS_PASS_UNEVEN * values.z), wide);
+    let pass_way = cell * abs(line.x) / max(length(line.yz), 0.3) * exp2(REEFS_PASS_UNEVEN * values.z);
+    let by_pass = smoothstep(REEFS_BY_PASS.y, REEFS_BY_PASS.x, pass_way);
+    let crest = min(share * REEFS_CREST * varied, REEFS_FARTHEST) * (1.0 - REEFS_PASS_CURLS * by_pass * by_pass);
+    return Reef(share, crest, REEFS_CREST_DEPTH.x + dot(REEFS_CREST_ROUGH, values.yz), pass_way, wide);
 }
 
 fn reef_flat(reef: Reef) -> Metres { return min(REEFS_FLAT, REEFS_FLAT_MOST * reef.crest); }

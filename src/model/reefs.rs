@@ -50,6 +50,8 @@ pub const PASS_M: [f64; 2] = [60.0, 170.0];
 pub const PASS_BENDS: f64 = 0.2;
 /// By how many powers of two the finest noise makes passes wider or narrower.
 pub const PASS_UNEVEN: f64 = 1.2;
+/// By so much of its way the crest draws nearer to the shore where a pass is: its ends are curled.
+pub const PASS_CURLS: f64 = 0.2;
 /// Crests nearer than the first have none, farther than the second all, metres.
 pub const PASS_CREST_M: [f64; 2] = [150.0, 400.0];
 /// Depth of the channel of a lagoon that is so wide, and a narrow one's, metres.
@@ -104,6 +106,11 @@ pub fn share([x, y]: [f64; 2], sin_lat: f64, mean_m: f64, texel_m: f64) -> f64 {
     warm * without.iter().product::<f64>() * rugged::oceanic(mean_m, texel_m)
 }
 
+/// How near a place is to a pass whose middle is so far away, 0 to 1.
+fn by_pass(pass_m: f64) -> f64 {
+    1.0 - smoothstep(BY_PASS_M[0], BY_PASS_M[1], pass_m)
+}
+
 /// What a reef is like about a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reef {
@@ -128,12 +135,14 @@ impl Reef {
         // The finer one rises within so much shorter cells.
         let steeper = f64::from(1u32 << (BITS[2] - BITS[1]));
         let line = [0, 1, 2].map(|k| pass[k] + PASS_BENDS * if k == 0 { 1.0 } else { steeper } * fine[k]);
-        let pass_m = cell_m * line[0].abs() / libm::hypot(line[1], line[2]).max(0.3);
+        let straight_m = cell_m * line[0].abs() / libm::hypot(line[1], line[2]).max(0.3);
+        let pass_m = straight_m * libm::exp2(PASS_UNEVEN * rough[0]);
+        let by_pass = by_pass(pass_m);
         Self {
             share,
-            crest_m: (share * CREST_M * varied).min(FARTHEST_M),
+            crest_m: (share * CREST_M * varied).min(FARTHEST_M) * (1.0 - PASS_CURLS * by_pass * by_pass),
             shallow_m: CREST_DEPTH_M[0] + CREST_ROUGH_M[0] * fine[0] + CREST_ROUGH_M[1] * rough[0],
-            pass_m: pass_m * libm::exp2(PASS_UNEVEN * rough[0]),
+            pass_m,
             wide_m,
         }
     }
@@ -200,7 +209,7 @@ impl Reef {
     /// What is left of the waves' height `d` metres from the shore.
     pub fn waves_left(&self, d: f64) -> f64 {
         let behind = smoothstep(0.0, CALMED * self.flat_m().max(1.0), self.crest_m - d);
-        let by_pass = 1.0 - smoothstep(BY_PASS_M[0], BY_PASS_M[1], self.pass_m);
+        let by_pass = by_pass(self.pass_m);
         let passes = by_pass * by_pass * smoothstep(PASS_CREST_M[0], PASS_CREST_M[1], self.crest_m);
         1.0 - (1.0 - COMES_OVER)
             * behind

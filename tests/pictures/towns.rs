@@ -49,6 +49,30 @@ fn brooklyn_is_built_up_and_the_catskills_are_not() {
 }
 
 #[test]
+fn no_house_stands_on_a_steep_slope() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let link = "#view=32.63,-16.9,500,340,76&time=2026-06-20T12:30:00Z&clouds=0";
+    let [albedo, normals, class] =
+        [LayerName::Albedo, LayerName::Normal, LayerName::Class].map(|layer| measured(&mut renderer, link, layer));
+    // Funchal: pixels of roofs and walls that are brighter than any ground there, of those of land between two slopes.
+    let bright = |from: f64, to: f64| {
+        let pixels = albedo.chunks_exact(3).zip(normals.chunks_exact(3)).zip(&class);
+        let on_it = pixels.filter(|((_, n), class)| {
+            let slope = n[0].hypot(n[1]) / n[2];
+            **class == 0.0 && slope >= from && slope < to
+        });
+        let (all, bright) = on_it.fold((0, 0), |(all, bright), ((albedo, _), _)| {
+            (all + 1, bright + usize::from(0.2126 * albedo[0] + 0.7152 * albedo[1] + 0.0722 * albedo[2] > 0.3))
+        });
+        f64::from(bright as u32) / f64::from(all)
+    };
+    let [gentle, steep] = [bright(0.0, 0.16), bright(0.35, 9.0)];
+    println!("{gentle:.4} of gentle slopes are bright, {steep:.4} of steep ones");
+    // Where slopes were those of the measured ground alone, .009 of the steep ones.
+    assert!(gentle > 0.004 && steep < 0.000_5, "{gentle} {steep}");
+}
+
+#[test]
 fn wide_pixels_are_as_bright_as_the_houses_in_them() {
     let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
     // A kilometre of Brooklyn in pixels of a quarter of a lot, and of two and a half.

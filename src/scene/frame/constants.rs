@@ -98,6 +98,7 @@ fn reef_numbers() -> String {
         ("REEFS_FLAT_MOST", reefs::FLAT_MOST),
         ("REEFS_PASS_BENDS", reefs::PASS_BENDS),
         ("REEFS_PASS_UNEVEN", reefs::PASS_UNEVEN),
+        ("REEFS_PASS_CURLS", reefs::PASS_CURLS),
         ("REEFS_FRINGE", reefs::FRINGE_M),
         ("REEFS_GOES_ON", reefs::GOES_ON),
         ("REEFS_COMES_OVER", reefs::COMES_OVER),
