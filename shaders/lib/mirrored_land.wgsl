@@ -7,6 +7,7 @@
 const LAND_NEAREST = vec2f(2.0, 0.04);    // the first step of a sight, metres and of the water's distance
 const LAND_STEP = 4.0;                    // each over the one before, until one is behind land: then halves of that last one
 const LAND_STEPS = vec2u(7u, 12u);        // of a sight that looks whether there is land, and of the one that looks at it
+const LAND_TAPS = 4u;                     // looks at land, beside the first one
 const LAND_TRIES = 5u;                    // of halves of the mirrored sights for the skyline
 const LAND_FADES = vec2f(9000.0, 15000.0);    // metres of water's distance over which what it mirrors goes,
 const SEA_MIRRORS = vec2f(2000.0, 4000.0);    // and of the eye's height over the sea,
@@ -60,6 +61,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     var high = max(rise + sqrt(6.0) * spread, low);
     let part = (high - low) / f32(1u << LAND_TRIES);
     var land = vec3u(0u);    // its pixel, and whether there is any
+    var looked = low;
     var known = 0.0;
     var attempt = 0u;
     // As in lib/waves.wgsl, the loops end at their foot: where nothing is mirrored they are gone through once.
@@ -70,6 +72,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
         let way = frame.clip_from_local * vec4f(cos(sight) * ahead + sin(sight) * w.up, 0.0);
         let steps = select(LAND_STEPS.x, LAND_STEPS.y, is_last);
         land.z = 0u;
+        looked = sight;
         known = 0.0;
         var before = 0.0;
         var behind = 0.0;
@@ -106,11 +109,26 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     var colour = textureLoad(scene_colour, land.xy, 0);
     let above = vec2u(land.x, land.y - min(land.y, u32(LAND_OVER_SHORE * frame.viewport.y) + 1u));
     if is_inland_water(colour) & (textureLoad(scene_depth, above, 0) > 0.0) { colour = textureLoad(scene_colour, above, 0); }
+    // As far up and down as the sights go that meet land: a patch of snow or of a cloud before it is no more than its part.
+    let reach = (low - lowest) / frame.pixel_angle;
+    let lift = (looked - 0.5 * (lowest + low)) / frame.pixel_angle;
+    var sum = vec4f(colour.rgb, 1.0);
+    var tap = 0u;
+    loop {
+        let row = f32(land.y) + lift + reach * (0.5 - (f32(tap) + 0.5) / f32(LAND_TAPS));
+        let seen = vec2u(land.x, u32(clamp(row, 0.0, frame.viewport.y - 1.0)));
+        let nearness = textureLoad(scene_depth, seen, 0);
+        let beside = textureLoad(scene_colour, seen, 0);
+        let is_seen = (nearness > 0.0) & (nearness * own.w < LAND_BEFORE * NEAR) & !is_behind_sea(beside) & !is_inland_water(beside);
+        sum += select(vec4f(0.0), vec4f(beside.rgb, 1.0), is_seen);
+        tap++;
+        if (tap == LAND_TAPS) | (is_land <= 0.0) { break; }
+    }
     let far = frame.clip_from_local * vec4f(mean.toward, 0.0);
     let shown = shown_at(far);
     let seen = vec2u(within(shown) * frame.viewport);
     let shows_sky = (textureLoad(scene_depth, seen, 0) == 0.0) & (far.w > 1e-6) & (dot(mean.toward, frame.light) < SUN_APART);
     let is_sky = near * known_at(shown) * select(0.0, 1.0 - smoothstep(SKY_SHARP.x, SKY_SHARP.y, spread), shows_sky) * (1.0 - is_land);
-    let radiance = is_land * colour.rgb + is_sky * textureLoad(scene_colour, seen, 0).rgb;
+    let radiance = is_land * sum.rgb / sum.w + is_sky * textureLoad(scene_colour, seen, 0).rgb;
     return vec4f(radiance / max((is_land + is_sky) * frame.exposure, 1e-9), is_land + is_sky);
 }

@@ -81,3 +81,23 @@ fn a_bed_below_the_horizon_is_not_mirrored() {
     // is above it a line lay across the sea, of 1.49.
     assert!(least > 0.95 && most < 1.1, "{steps:.3?}");
 }
+
+#[test]
+fn a_cloud_before_a_mountain_is_no_patch_on_the_sea() {
+    let mut renderer = render::headless(DATA, Radiance::Whole).unwrap();
+    // Off Tahiti, whose top has a cloud before it, over waves that turn what is mirrored by as much as the mountain is high.
+    let link = "#view=-17.53,-149.7,500,150,74&clouds=0.3&time=2026-05-10T20:30:00Z";
+    let state = render::parse_state(link).unwrap();
+    let values = render::measure(&mut renderer, &state, SIZE, LayerName::Radiance).unwrap().values;
+    let width = SIZE[0] as usize;
+    let patches: Vec<f64> = (48..60)
+        .map(|row| {
+            let mut green: Vec<f64> = (10..110).map(|column| values[3 * (row * width + column) + 1]).collect();
+            green.sort_by(f64::total_cmp);
+            green[99] / green[50]
+        })
+        .collect();
+    println!("of a row the brightest pixel has {patches:.2?} of the middle one");
+    // 1.29 where one look told what land is mirrored.
+    assert!(patches.iter().all(|patch| *patch < 1.16), "{patches:?}");
+}
