@@ -41,9 +41,9 @@ const TWO_STREAMS = 0.75;              // of the depth less what goes on ahead: 
 // Of an optical depth towards the sun: what a heap loses through its sides of the light that goes up in it, and of that which goes down.
 const SIDEWAYS = 0.15;
 const SIDEWAYS_DOWN = 0.25;
-const TURNED_LIGHT = vec2f(0.2, 1.2);   // of the light of a level surface: of one turned away from the sun, and of one turned to it
+const TURNED_LIGHT = vec2f(0.2, 1.35);   // of the light of a level surface: of one turned away from the sun, and of one turned to it
 const CLOSED_TURNED = 1.03;             // and of closed clouds, turned to it: they are level nearly
-const TURNED = vec2f(-0.25, 0.65);      // deviations over SUNWARDS by which the level falls on a side that is turned away from the sun, and to it
+const TURNED = vec2f(-0.35, 1.0);      // deviations over SUNWARDS by which the level falls on a side that is turned away from the sun, and to it
 const FACING_MEAN = 0.75;               // where nothing is known of that
 const HIGH_TOPS: Metres = 6000.0;       // of what wide pixels see: of a low sun's light the highest tops have the most, and the least red
 const DEEPEST: Metres = 900.0;         // way of sunlight through a cloud: longer ones get as much from their sides

@@ -48,7 +48,7 @@ fn displayed(radiance: vec3f) -> vec3f {
     return clamp(mix(vec3f(dot(toned, LUMA)), toned, SATURATION), vec3f(0.0), vec3f(1.0));
 }
 
-// The part of light that comes through the filter before the lens at a pixel: `SkyFilter::passed` of `src/scene/frame/sky_filter.rs`.
+// The part of light that comes through the filter at a pixel: `SkyFilter::passed` of `src/scene/frame/sky_filter.rs`.
 fn filtered(pixel: vec2f) -> f32 {
     let size = vec2f(textureDimensions(scene));
     let seen = HALF_HEIGHT * (2.0 * pixel - size) / size.y;

@@ -12,6 +12,7 @@
 
 const CLOUD_TALL = 1.1;             // deviations over which a low cloud is as high as that
 const CLOUD_SQUASH = 0.8;           // how much less a high one rises for each more: none is cut off flat at the layer's top
+const CLOUD_ROUNDED = vec2f(0.09, 0.12);    // height in the layer up to which bases' rims are round, and by how many deviations they lie further in at the base
 const CLOUD_SPARE = 0.9;            // deviations of the weather's level from which on it makes clouds no higher
 const CLOUD_SOFT = 0.035;           // deviations over which its edge goes
 const CLOUD_WIDEST: Metres = 32000.0;   // cells of the octaves
@@ -131,10 +132,11 @@ fn in_cloud(level: vec2f, edge: f32) -> InCloud {
 fn spare(weather: f32) -> f32 { return max(weather - CLOUD_SPARE, 0.0); }
 
 // The level above which a place at a height, 0 at the base and 1 at the top of the layer, is in cloud, where the weather's is as given: clouds are
-// domes on a level base.
+// domes on a level base, whose rim is round.
 fn cloud_edge(height: f32, weather: f32) -> f32 {
     let square = height * max(height, 0.0);
-    return CLOUD_TALL * square / max(1.0 - CLOUD_SQUASH * square, 0.1) + spare(weather) * smoothstep(0.1, 0.6, height);
+    let rounded = max(1.0 - abs(height) / CLOUD_ROUNDED.x, 0.0);
+    return CLOUD_TALL * square / max(1.0 - CLOUD_SQUASH * square, 0.1) + CLOUD_ROUNDED.y * rounded * rounded + spare(weather) * smoothstep(0.1, 0.6, height);
 }
 
 // And about the height of the top that a place's level makes: where clouds close, it is right from over the middle of the layer on.

@@ -62,6 +62,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     let part = (high - low) / f32(1u << LAND_TRIES);
     var land = vec3u(0u);    // its pixel, and whether there is any
     var looked = low;
+    var upwards = -1.0;      // rows of the picture on its side of the rim
     var known = 0.0;
     var attempt = 0u;
     // As in lib/waves.wgsl, the loops end at their foot: where nothing is mirrored they are gone through once.
@@ -88,6 +89,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
             let is_land = (nearness * at.w > LAND_BEHIND * NEAR) & (nearness * own.w < LAND_BEFORE * NEAR) & (at.w > NEAR) & (shown.y > -LAND_RIM) & may_stand_for(shown, inside);
             land = select(land, vec3u(seen, 1u), is_land);
             known = select(known, known_at(shown), is_land);
+            upwards = select(upwards, select(1.0, -1.0, shown.y >= 0.0), is_land);
             behind = select(behind, t, is_land);
             before = select(t, before, is_land);
             t = select(LAND_STEP * t, sqrt(max(before, 1.0) * behind), land.z == 1u);
@@ -111,7 +113,7 @@ fn mirrored_land(w: WaterPoint, pixel: vec2u) -> vec4f {
     if is_inland_water(colour) & (textureLoad(scene_depth, above, 0) > 0.0) { colour = textureLoad(scene_colour, above, 0); }
     // As far up and down as the sights go that meet land: a patch of snow or of a cloud before it is no more than its part.
     let reach = (low - lowest) / frame.pixel_angle;
-    let lift = (looked - 0.5 * (lowest + low)) / frame.pixel_angle;
+    let lift = upwards * (0.5 * (lowest + low) - looked) / frame.pixel_angle;
     var sum = vec4f(colour.rgb, 1.0);
     var tap = 0u;
     loop {

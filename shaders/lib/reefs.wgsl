@@ -56,8 +56,9 @@ fn reef_at(share: f32, at: vec2u, cos_lat: f32, wide: Metres, none: bool) -> Ree
     let line = noises[2] + REEFS_PASS_BENDS * vec3f(1.0, steeper, steeper) * noises[1];
     let pass_way = cell * abs(line.x) / max(length(line.yz), 0.3) * exp2(REEFS_PASS_UNEVEN * values.z);
     let by_pass = smoothstep(REEFS_BY_PASS.y, REEFS_BY_PASS.x, pass_way);
-    let crest = min(share * REEFS_CREST * varied, REEFS_FARTHEST) * (1.0 - REEFS_PASS_CURLS * by_pass * by_pass);
-    return Reef(share, crest, REEFS_CREST_DEPTH.x + dot(REEFS_CREST_ROUGH, values.yz), pass_way, wide);
+    let crest = min(share * REEFS_CREST * varied, REEFS_FARTHEST);
+    let curled = REEFS_PASS_CURLS * by_pass * by_pass * smoothstep(REEFS_PASS_CREST.x, REEFS_PASS_CREST.y, crest);
+    return Reef(share, crest * (1.0 - curled), REEFS_CREST_DEPTH.x + dot(REEFS_CREST_ROUGH, values.yz), pass_way, wide);
 }
 
 fn reef_flat(reef: Reef) -> Metres { return min(REEFS_FLAT, REEFS_FLAT_MOST * reef.crest); }

@@ -35,7 +35,9 @@ pub enum LayerName {
     Normal,
     /// Relative luminance of the radiance, before it is exposed.
     Luminance,
-    /// Radiance, linear sRGB, before it is exposed: per steradian, in units of the sun's irradiance beyond the air.
+    /// Radiance, linear sRGB, before it is exposed: per steradian, in units of the sun's irradiance beyond the air, by moonlight in units of the moon's. One sample a pixel, in
+    /// floats of 16 bits where the device blends no others. Not physical: the sun's disc is no brighter than 16 bits hold, the moon's, stars and the Milky Way are as bright as
+    /// pictures show them, and under water all is as bright as a camera makes it.
     Radiance,
     /// 0 land, 1 ocean, 2 lake, 3 river; NaN in the sky.
     Class,

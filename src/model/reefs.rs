@@ -138,9 +138,11 @@ impl Reef {
         let straight_m = cell_m * line[0].abs() / libm::hypot(line[1], line[2]).max(0.3);
         let pass_m = straight_m * libm::exp2(PASS_UNEVEN * rough[0]);
         let by_pass = by_pass(pass_m);
+        let crest_m = (share * CREST_M * varied).min(FARTHEST_M);
+        let curled = PASS_CURLS * by_pass * by_pass * smoothstep(PASS_CREST_M[0], PASS_CREST_M[1], crest_m);
         Self {
             share,
-            crest_m: (share * CREST_M * varied).min(FARTHEST_M) * (1.0 - PASS_CURLS * by_pass * by_pass),
+            crest_m: crest_m * (1.0 - curled),
             shallow_m: CREST_DEPTH_M[0] + CREST_ROUGH_M[0] * fine[0] + CREST_ROUGH_M[1] * rough[0],
             pass_m,
             wide_m,

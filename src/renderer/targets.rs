@@ -26,7 +26,7 @@ pub enum Radiance {
     /// 32-bit floats of surfaces and clear air alone, for measured layers: without what is blended with them, which is clouds, stars, lamps, spindrift,
     /// the light that waves gather on a bed, and a surface that cuts through the picture.
     Single,
-    /// All of a picture's radiance: 32-bit floats where the device blends those, else as [`Radiance::Half`].
+    /// All of a picture's radiance, one sample a pixel: 32-bit floats where the device blends those, else as [`Radiance::Half`].
     Whole,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct Passes {
     plain: FullScreen,
     /// And through a lens, which glows.
     glowing: FullScreen,
-    /// What is before the lens.
+    /// What darkens the sky.
     sky_filter: wgpu::Buffer,
 }
 
@@ -77,7 +77,7 @@ impl Passes {
         self.backdrops[usize::from(targets.samples.is_some())].draw(pass, &targets.backdrop);
     }
 
-    /// Takes what is before the lens.
+    /// Takes what darkens the sky of the next picture.
     pub(super) fn filter(&self, gpu: &Gpu, filter: &SkyFilter) {
         gpu.queue.write_buffer(&self.sky_filter, 0, bytemuck::cast_slice(&filter.uniform()));
     }

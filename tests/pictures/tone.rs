@@ -165,14 +165,14 @@ fn the_display_has_the_tone_of_agx() {
 
 #[test]
 fn radiance_is_that_of_what_pictures_show() {
-    let size = [160, 90];
     let [mut measuring, mut surfaces, mut drawing] =
         [Radiance::Whole, Radiance::Single, Radiance::Half].map(|kept| render::headless(DATA, kept).unwrap());
     // What is blended: heaps of cloud behind a filter, stars, lamps.
-    for view in [
-        "45.2,-14,3,90,86&bft=5&clouds=0.5&time=2026-05-10T17:00:00Z",
-        "18,-62.5,4,250,120&bft=3&clouds=0&time=2026-11-10T04:10:00Z",
-        "22.24,114.18,900,0,80&clouds=0&time=2026-11-17T14:10:00Z",
+    for (view, size, greyest) in [
+        ("45.2,-14,3,90,86&bft=5&clouds=0.5&time=2026-05-10T17:00:00Z", [160, 90], 0.8),
+        ("53.6,108.3,400,200,110&bft=5&clouds=0.4&time=2026-07-14T10:20:00Z", [80, 120], 0.8),
+        ("18,-62.5,4,250,120&bft=3&clouds=0&time=2026-11-10T04:10:00Z", [160, 90], 1.0),
+        ("22.24,114.18,900,0,80&clouds=0&time=2026-11-17T14:10:00Z", [160, 90], 1.0),
     ] {
         let state = render::parse_state(&format!("#view={view}&quality=low&rate=0")).unwrap();
         let [measured, bare] = [&mut measuring, &mut surfaces]
@@ -180,9 +180,11 @@ fn radiance_is_that_of_what_pictures_show() {
         let (frame, target) = render::draw(&mut drawing, &state, size, Output::Picture).unwrap();
         let bytes = drawing.gpu().read_texture(&target, 0, 0).unwrap();
         let exposure = f64::from(frame.uniform.exposure) * f64::from(frame.uniform.night);
+        let mut least = 1.0f64;
         for (pixel, (rgba, radiance)) in bytes.chunks_exact(4).zip(measured.values.chunks_exact(3)).enumerate() {
             let at = [pixel as u32 % size[0], pixel as u32 / size[0]].map(|part| f64::from(part) + 0.5);
             let passed = frame.sky_filter.passed(at, size.map(f64::from));
+            least = least.min(passed);
             let exposed = std::array::from_fn(|part| radiance[part] * exposure * passed);
             for (byte, wanted) in rgba.iter().zip(displayed(exposed)) {
                 // Half a step of noise, half a step of rounding, and what 16 bits lose before the curve, several times where much is blended.
@@ -191,8 +193,8 @@ fn radiance_is_that_of_what_pictures_show() {
         }
         let other = |(whole, bare): &(&f64, &f64)| (*whole - *bare).abs() > 0.05 * *bare;
         let blended = measured.values.iter().zip(&bare.values).filter(other).count() / 3;
-        println!("{view}: {blended} pixels have something blended");
-        assert!(blended > 20, "{view}: {blended}");
+        println!("{view}: {blended} pixels have something blended, the filter lets {least:.2} through");
+        assert!(blended > 20 && least <= greyest, "{view}: {blended} {least}");
     }
 }
 
@@ -236,4 +238,36 @@ fn a_lens_spreads_the_points_of_the_sun_on_the_water() {
     println!("{lit} pixels are much lighter for the points beside them");
     // The glow alone, which is even over many pixels, makes none so.
     assert!(lit > 40, "{lit}");
+}
+
+/// What the filter of a link's picture lets through in the middle of its uppermost row.
+fn let_through(link: &str) -> f64 {
+    let state = render::parse_state(link).unwrap();
+    let frame = Frame::new(&state.settings, &state.camera, render::instant(&state), [160, 90]);
+    frame.sky_filter.passed([80.0, 0.5], [160.0, 90.0])
+}
+
+#[test]
+fn the_sky_is_filtered_by_day_where_clouds_are_and_from_waves_of_any_height() {
+    let link = |altitude: f64, clouds: f64, day: &str, hour: &str| {
+        format!("#view=45.2,-14,{altitude},90,86&clouds={clouds}&time=2026-{day}T{hour}:00Z")
+    };
+    let day = let_through(&link(3.0, 0.5, "05-10", "17:00"));
+    println!("by day {day:.2} comes through");
+    assert!((0.3..0.8).contains(&day), "{day}");
+    // On a crest, in a trough, which may lie lower than the resting sea, and as high as clouds' bases.
+    for altitude in [-2.0, 0.0, 1.0, 600.0] {
+        let there = let_through(&link(altitude, 0.5, "05-10", "17:00"));
+        assert!((there - day).abs() < 0.01, "{there} from {altitude} m");
+    }
+    for (none, why) in [
+        (link(3.0, 0.0, "05-10", "17:00"), "no clouds"),
+        (link(3.0, 0.5, "05-10", "01:00"), "the sun is down"),
+        (link(20_000.0, 0.5, "05-10", "17:00"), "clouds lie below"),
+    ] {
+        assert!((let_through(&none) - 1.0).abs() < 1e-6, "{why}");
+    }
+    // Into a low sun the whole picture is exposed for it.
+    let into = let_through("#view=45.2,-14,3,280,86&clouds=0.5&time=2026-05-10T19:00:00Z");
+    assert!(into > 0.85, "{into}");
 }

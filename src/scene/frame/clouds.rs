@@ -4,7 +4,6 @@ use glam::{DVec2, DVec3};
 
 use crate::model::clouds::{self, Weather};
 use crate::model::overcast;
-use crate::scene::frame::CUT_M;
 use crate::scene::frame::exposure::{for_clouds_in_view, for_sunlit_sides, into_sun, near_ground};
 use crate::scene::frame::rim;
 use crate::scene::frame::sky_filter::SkyFilter;
@@ -105,9 +104,11 @@ pub fn set_clouds(
         let into = into_sun(camera.basis_enu().forward.dot(sun), sun.z, camera.altitude_m);
         let forward = camera.basis_enu().forward;
         let sky = (0.5 + forward.z / FIELD_OF_VIEW_Y).clamp(0.0, 1.0);
-        let seen = libm::pow(for_clouds_in_view(share, for_sunlit_sides(sun.z), forward.dot(sun), sky), below);
-        let over_water = (0.5 + 0.5 * camera.altitude_m / CUT_M).clamp(0.0, 1.0);
-        grey = libm::pow(seen, FILTERED * over_water);
+        // Towards the sun their shaded sides are seen, for which `into` is enough, and by night no sun shines on any.
+        let darkest = (LEAST_TOGETHER / into).min(1.0);
+        let seen = for_clouds_in_view(share, for_sunlit_sides(sun.z), forward.dot(sun), sky).max(darkest);
+        let seen = libm::pow(seen, below * sunlit);
+        grey = libm::pow(seen, FILTERED);
         u.exposure *= libm::pow(seen, 1.0 - FILTERED) as f32;
         u.exposure *= libm::pow(overcast_exposure(share) * libm::pow(into, -share * share), below) as f32;
         u.exposure /= (1.0 + OVER_THEM * over * share * share) as f32;

@@ -30,6 +30,7 @@ const CLEAR_SKY: f64 = 0.25;
 const CLOUD: f64 = 0.7;
 const BASES: f64 = 0.25;
 const SHADED: f64 = 0.6;
+
 /// Factor from radiance (in units of the sun's irradiance beyond the air, per steradian) to what the display's tone is made of, for an eye
 /// at `altitude_m` over a place where the sine of the sun's elevation is `mu`.
 ///

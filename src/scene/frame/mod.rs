@@ -72,7 +72,7 @@ pub struct Frame {
     pub shows_city_lights: bool,
     /// Its clouds, where there are any.
     pub clouds: Option<Clouds>,
-    /// What is before the lens.
+    /// What darkens its sky.
     pub sky_filter: SkyFilter,
     /// The pixels that show any of the sky but stars to an eye in space, or of the sky beside land and sea to one that is nearer: left, top, width, height.
     pub sky_area: [u32; 4],

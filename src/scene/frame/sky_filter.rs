@@ -1,4 +1,5 @@
-//! The filter before the lens, grey above the horizon and clear below it, with which photographers take clouds over a darker sea.
+//! The graduated filter, grey above the horizon and clear below it, with which photographers take clouds over a darker sea. It is laid over the picture that the
+//! lens has made: a lens's glow is that of the sky without it.
 
 use crate::scene::view::camera::{Camera, FIELD_OF_VIEW_Y};
 
@@ -8,7 +9,7 @@ const EDGE: [f64; 2] = [-0.035, 0.105];
 /// A graduated filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkyFilter {
-    /// Elevation of the view's middle and of the picture's upward direction, their sines; `1.0` for a view that is level is the second.
+    /// Sines of the elevation that the picture's middle shows, and that its upward direction has.
     forward_up: [f64; 2],
     /// Sine of the horizon's elevation, at most 0.
     horizon: f64,

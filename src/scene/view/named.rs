@@ -59,7 +59,7 @@ pub const VIEWS: [View; 15] = [
         id: "surf",
         widget: "viewSurf",
         title: "surf, 12 m",
-        fragment: "view=52.372,4.5223,12,330,80&wind=9@300&clouds=0.35&time=2026-07-20T18:45:00Z",
+        fragment: "view=52.372,4.5223,12,330,80&wind=9@300&clouds=0.35&time=2026-07-20T17:30:00Z",
     },
     View {
         id: "bridge",
