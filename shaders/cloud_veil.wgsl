@@ -9,6 +9,7 @@
 
 const FROM_SPACE = vec2f(6e4, 2.5e5); // heights of the eye, m, between which clouds come before all mountains,
 const SLANTING = vec2f(0.8, 0.5);       // and sines of a sight's descent, between which they do; ours
+const HORIZON_PIXELS = 2.0;  // of the smaller picture: as far as `sharpened` looks
 const SHARPENED = 0.7;      // how much more than their mean the nearest four count, against a ring of four about them
 
 // What the smaller picture shows at a pixel. Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
@@ -37,11 +38,19 @@ fn sharpened(at: vec2f) -> vec4f {
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let at = corner.position.xy;
-    let direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
+    var direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
     let seen = sharpened(at);
     if GLOBE { return seen; }
-    let ray = eye_ray(direction);
-    let hit = surface_hit(ray);
+    var ray = eye_ray(direction);
+    var hit = surface_hit(ray);
+    // Pixels of the smaller picture beside one on the horizon pass over it, and have the clouds behind it.
+    let over_it = normalize(direction + vec3f(0.0, 0.0, HORIZON_PIXELS * SCALE * frame.pixel_angle));
+    let passes_over = (hit >= 0.0) & (surface_hit(eye_ray(over_it)) < 0.0) & (frame.eye_altitude >= CLOUD_BASE);
+    if passes_over {
+        direction = over_it;
+        ray = eye_ray(direction);
+        hit = -1.0;
+    }
     let water = layer_stretch(ray, select(hit, 1e9, (hit < 0.0) | (frame.eye_altitude < CLOUD_BASE)));
     let shell = shell_hits(ray, ICE_HEIGHT);
     let ice = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);

@@ -323,7 +323,7 @@ impl Renderer {
             spindrift.dispatch(&mut pass, look, [frame_group, surface]);
             stages.end(&mut pass, "spindrift");
         }
-        let cloud_look = CloudLook::of(self.visible.is_none(), frame.is_fine());
+        let cloud_look = CloudLook::of(frame.has_clouds_of_globe(), frame.is_fine());
         if let Some((pass, clouds)) = self.clouds.as_mut().zip(frame.clouds).filter(|_| is_seen) {
             pass.sketch(&self.gpu, encoder, (cloud_look, frame.size, clouds.area), [frame_group, surface]);
             stages.end(encoder, "clouds");
@@ -347,6 +347,16 @@ impl Renderer {
             pass.set_scissor_rect(0, 0, frame.size[0], frame.size[1]);
             points.into_iter().for_each(|points| points.draw(&mut pass, frame_group, surface));
             drop(pass);
+            if !frame.has_clouds_of_globe() {
+                // Nothing stands before its clouds.
+                drop(begin(
+                    encoder,
+                    "scene",
+                    &targets.scene,
+                    clear,
+                    Some(DepthUse::Begun(&targets.scene_depth, wgpu::StoreOp::Store)),
+                ));
+            }
             stages.end(encoder, "globe");
         } else if kind.measured || !kind.under_water {
             let depth = Some(DepthUse::Begun(&targets.scene_depth, wgpu::StoreOp::Store));

@@ -14,6 +14,7 @@ pub mod earth;
 pub mod fft;
 pub mod foam;
 pub mod geodesic;
+pub mod highest;
 pub mod lace;
 pub mod lakes;
 pub mod lift;

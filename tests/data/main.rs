@@ -7,6 +7,7 @@ mod cloud_area;
 mod coast;
 mod exposure;
 mod geoid;
+mod highest;
 mod hostile_coast;
 mod hostile_data;
 mod imagery;

@@ -120,6 +120,22 @@ fn no_line_of_far_land_lies_across_near_clouds() {
 }
 
 #[test]
+fn no_line_of_the_clouds_behind_it_lies_across_an_island() {
+    const SIZE: [u32; 2] = [1280, 720];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    // From just over the base of clouds before Moorea, which rises over the ellipsoid's horizon, in row 222.
+    let link = "#view=-17.6,-149.95,905,60,80&clouds=0.4&quality=medium&time=2026-05-10T19:30:00Z";
+    let pixels = picture(&mut renderer, link, SIZE);
+    let row = |y: u32| -> f64 {
+        (430..930).map(|x| f64::from(pixels[(4 * (y * SIZE[0] + x) + 1) as usize])).sum::<f64>() / 500.0
+    };
+    let lines: Vec<f64> = (216..230).map(|y| row(y) - 0.5 * (row(y - 1) + row(y + 1))).collect();
+    println!("rows are {lines:.1?} of 255 brighter than those beside them");
+    // 14 where pixels on the horizon had the clouds of those above it, which are behind the island, before it.
+    assert!(lines.iter().all(|line| line.abs() < 6.0), "{lines:.1?}");
+}
+
+#[test]
 fn no_ribbon_of_mountains_lies_across_clouds_near_the_limb() {
     const SIZE: [u32; 2] = [640, 360];
     let mut renderer = render::headless(DATA, Radiance::Half).unwrap();

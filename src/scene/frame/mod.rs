@@ -10,7 +10,7 @@ use glam::DMat3;
 use crate::data::exposure::Water;
 use crate::model::sea_tables::SeaTables;
 use crate::model::wave_domain::MAX_CELLS;
-use crate::model::{earth, lakes, moon, reefs, waves};
+use crate::model::{earth, highest, lakes, moon, reefs, waves};
 use crate::scene::frame::bisection::Bisection;
 use crate::scene::sea::Seas;
 use crate::scene::sea::foam::{self, FoamEye, Whitecaps};
@@ -64,6 +64,8 @@ pub struct Frame {
     pub surface_m: f64,
     /// Significant height of the waves at the eye's place, where land may stand in their way, metres.
     pub local_height_m: f64,
+    /// Metres that no ground is higher than which an eye in space may see; nearer to the ground, than any is.
+    pub highest_in_view_m: f64,
     /// Whether stars may show: it is dark at the eye, or it is in space.
     pub shows_stars: bool,
     /// Whether waves by shores are drawn as trains, where they show. For measurements.
@@ -155,6 +157,10 @@ pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
 
 /// The globe is one disc from this height on, metres: the limb is then well below the horizon.
 const LOWEST_GLOBE_M: f64 = 500_000.0;
+/// And from pixels of this width on at the nadir, metres: narrower ones show more of the ground than it does.
+const GLOBE_FROM_M: f64 = 0.5 * RELIEF_M;
+/// How much wider than summits are high pixels are then: those are of data that have lost their tips.
+const SUMMITS: f64 = 1.1;
 /// So far over a lake, metres, an eye sees land mirrored in it, be it as calm as it may: only its mesh mirrors land.
 const LAKE_MIRRORS_M: f64 = 400.0;
 
@@ -204,6 +210,11 @@ impl Frame {
             foam_lifetime_s,
             surface_m,
             local_height_m,
+            highest_in_view_m: if camera.altitude_m > LOWEST_GLOBE_M {
+                highest::highest_in_view_m(camera.lat, camera.lon, camera.altitude_m)
+            } else {
+                RELIEF_M
+            },
             shows_stars: light::stars_show(&uniform, settings),
             shows_trains: true,
             shows_city_lights: light::city_lights_show(&uniform, settings),
@@ -340,12 +351,20 @@ impl Frame {
             && self.foam_lifetime_s.is_some()
     }
 
-    /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit is high,
-    /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide.
+    /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit in view is high,
+    /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide. A coarse picture's sea, whose light is that of
+    /// vertices, is not the globe's: it changes where pixels are wider than any summit is high.
     pub fn is_globe(&self) -> bool {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-        let pixel_m = self.camera.altitude_m * f64::from(self.uniform.pixel_angle);
-        self.uniform.layers & all == all && pixel_m > RELIEF_M && self.camera.altitude_m > LOWEST_GLOBE_M
+        let highest_m = if self.is_fine() { (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M) } else { RELIEF_M };
+        self.uniform.layers & all == all
+            && self.camera.altitude_m > LOWEST_GLOBE_M
+            && nearest_pixel_m(&self.uniform, &self.camera) > highest_m
+    }
+
+    /// Whether clouds are drawn as on the whole globe: where pixels are wider than any summit is high.
+    pub fn has_clouds_of_globe(&self) -> bool {
+        self.is_globe() && nearest_pixel_m(&self.uniform, &self.camera) > RELIEF_M
     }
 
     /// Whether surf may show, with the nearest shore so far from the eye's foot, metres: none does that is farther away than
