@@ -59,9 +59,10 @@ fn no_ground_is_higher_than_the_table_has_it() {
 #[test]
 fn eyes_see_the_summits_that_are_within_their_horizons() {
     let at = |lat: f64, lon: f64, km: f64| highest_in_view_m(lat.to_radians(), lon.to_radians(), 1e3 * km);
-    // The middle of the Pacific, the Alps, the Himalaya, and from so high that half of the earth is seen.
+    // The southern Pacific with Tahiti at the rim of its cells, Hawaii from afar, the Alps, the Himalaya, and from so high that half of the earth is seen.
     for (lat, lon, km, range) in [
-        (0.0, -140.0, 500.0, 0.0..300.0),
+        (-30.0, -120.0, 500.0, 0.0..1_300.0),
+        (0.0, -140.0, 500.0, 2_000.0..4_300.0),
         (46.0, 8.0, 500.0, 3_000.0..5_000.0),
         (28.0, 86.0, 500.0, 6_500.0..9_000.0),
         (0.0, -140.0, 1e6, 4_000.0..7_500.0),

@@ -138,8 +138,8 @@ fn the_low_quality_has_a_quarter_of_the_seas_triangles() {
     let [low, usual] = ["low", "medium"].map(|quality| cost("28.8545,-13.792,560,253,71", [640, 128], quality));
     assert_eq!(4 * low.triangles, usual.triangles);
     assert!(low.land_triangles < usual.land_triangles, "{} of {}", low.land_triangles, usual.land_triangles);
-    // From so far that neither has a height which shows, both have as many.
-    let [low, usual] = ["low", "medium"].map(|quality| cost("26,-21,3000000,180,18", [640, 360], quality));
+    // From so far that neither has a height which shows, both have as many: with the Himalaya in view, without which one pass draws the globe.
+    let [low, usual] = ["low", "medium"].map(|quality| cost("20,86,3000000,180,18", [640, 360], quality));
     assert!(low.triangles > 0 && low.land_triangles > 0);
     assert_eq!((low.triangles, low.land_triangles), (usual.triangles, usual.land_triangles));
 }
