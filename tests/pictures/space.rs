@@ -38,14 +38,14 @@ fn beside_the_air_sun_and_moon_there_is_no_sky_to_draw() {
     }
 }
 
-/// The picture and the classes of its pixels, by a pass over the whole globe or by those of land, bed and sea.
-fn drawn_as(renderer: &mut Renderer, view: &str, as_globe: bool) -> (Vec<u8>, Vec<f32>) {
+/// The picture, by a pass over the whole globe or by those of land, bed and sea.
+fn drawn_as(renderer: &mut Renderer, view: &str, as_globe: bool) -> Vec<u8> {
     const SIZE: [u32; 2] = [320, 180];
     let state = parse_state(&format!("#view={view}&quality=medium")).unwrap();
-    let mut of = |output: Output| {
+    let target = {
         let unix_seconds = instant(&state);
         let eye = renderer.eye(&state, unix_seconds);
-        let mut frame = renderer.frame(&state.settings, &eye, unix_seconds, SIZE).measuring(output);
+        let mut frame = renderer.frame(&state.settings, &eye, unix_seconds, SIZE);
         assert!(frame.is_globe(), "{view}");
         if !as_globe {
             frame.highest_in_view_m = 1e9;
@@ -62,11 +62,7 @@ fn drawn_as(renderer: &mut Renderer, view: &str, as_globe: bool) -> (Vec<u8>, Ve
         gpu.queue.submit([encoder.finish()]);
         target
     };
-    let target = of(Output::Picture);
-    of(Output::Class);
-    let class = renderer.gpu().read_texture(renderer.radiance().unwrap(), 0, 0).unwrap();
-    let picture = renderer.gpu().read_texture(&target, 0, 0).unwrap();
-    (picture, class.chunks_exact(16).map(|texel| bytemuck::pod_read_unaligned::<[f32; 4]>(texel)[0]).collect())
+    renderer.gpu().read_texture(&target, 0, 0).unwrap()
 }
 
 #[test]
@@ -79,17 +75,12 @@ fn the_globe_in_one_pass_is_what_its_ground_and_sea_are() {
         "64,-20,1400000,90,20&clouds=0.2&time=2026-06-20T13:00:00Z",
         "0,-150,1400000,90,45&clouds=0.5&time=2026-06-20T22:00:00Z",
     ] {
-        let [(globe, class), (ground, other)] = [true, false].map(|globe| drawn_as(&mut renderer, view, globe));
+        let [globe, ground] = [true, false].map(|globe| drawn_as(&mut renderer, view, globe));
         let off = globe.iter().zip(&ground).map(|(a, b)| f64::from(a.abs_diff(*b))).collect::<Vec<_>>();
         let mean = off.iter().sum::<f64>() / off.len() as f64;
         let far = off.iter().filter(|off| **off > 8.0).count() as f64 / off.len() as f64;
-        let turned = class.iter().zip(&other).filter(|(a, b)| a != b).count();
-        println!(
-            "{view}: {mean:.3} of 255 apart in the mean, {far:.4} by more than 8, {turned} pixels of another class"
-        );
+        println!("{view}: {mean:.3} of 255 apart in the mean, {far:.4} by more than 8");
         assert!(mean < 0.3 && far < 0.003, "{view}: {mean} {far}");
-        // Summits stand less than half a pixel aside, at a coast few.
-        assert!(turned < 12, "{view}: {turned}");
     }
     // Where summits are higher than pixels are wide, the ground is drawn.
     let state = parse_state("#view=28,86,1400000&time=2026-11-20T06:00:00Z").unwrap();

@@ -76,6 +76,30 @@ fn no_deep_sea_bed_lies_bare_where_the_ground_is_coarser_than_its_shore() {
     assert!(shallow <= 12, "{shallow} pixels of a shallow bed without water, of {}", sea.len());
 }
 
+/// Where a picture's globe begins depends on the summits in view.
+#[test]
+fn the_globe_of_a_picture_begins_without_a_change() {
+    let mut renderer = render::headless(DATA, Radiance::Single).unwrap();
+    let size = [320, 180];
+    for place in ["30,85", "47,10", "-80,40", "82,-40", "-20,-68", "10,-30"] {
+        let mut state =
+            render::parse_state(&format!("#view={place},1e6,20,15&clouds=0&time=2026-06-21T09:00:00Z")).unwrap();
+        let mut ends = [0.8e6, 3e6];
+        while ends[1] / ends[0] > 1.00002 {
+            state.camera.altitude_m = 0.5 * (ends[0] + ends[1]);
+            let is_globe = renderer.frame(&state.settings, &state.camera, 0.0, size).is_globe();
+            ends[usize::from(is_globe)] = state.camera.altitude_m;
+        }
+        let [near, far] = ends.map(|altitude_m| {
+            state.camera.altitude_m = altitude_m;
+            render::measure(&mut renderer, &state, size, LayerName::Luminance).unwrap().values
+        });
+        let change = near.iter().zip(&far).map(|(a, b)| (a - b).abs()).sum::<f64>() / far.iter().sum::<f64>();
+        println!("{place}: from {:.0} m on the globe, whose luminance is {change:.5} off", ends[1]);
+        assert!(change < 2e-3, "{place}: {change}");
+    }
+}
+
 /// From space neither tiles nor the sea's mesh are drawn, but the globe in one pass: nothing changes where it begins.
 #[test]
 fn the_globe_from_space_is_that_of_the_tiles_and_the_sea() {

@@ -158,9 +158,9 @@ pub fn cell_pixels(quality: Quality, size: [u32; 2]) -> u32 {
 /// The globe is one disc from this height on, metres: the limb is then well below the horizon.
 const LOWEST_GLOBE_M: f64 = 500_000.0;
 /// And from pixels of this width on at the nadir, metres: narrower ones show more of the ground than it does.
-const GLOBE_FROM_M: f64 = 0.5 * RELIEF_M;
+const GLOBE_FROM_M: f64 = 0.67 * RELIEF_M;
 /// How much wider than summits are high pixels are then: those are of data that have lost their tips.
-const SUMMITS: f64 = 1.1;
+const SUMMITS: f64 = 1.25;
 /// So far over a lake, metres, an eye sees land mirrored in it, be it as calm as it may: only its mesh mirrors land.
 const LAKE_MIRRORS_M: f64 = 400.0;
 
@@ -353,10 +353,14 @@ impl Frame {
 
     /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit in view is high,
     /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide. A coarse picture's sea, whose light is that of
-    /// vertices, is not the globe's: it changes where pixels are wider than any summit is high.
+    /// vertices, is not the globe's: it changes where pixels are wider than any summit is high, as measured layers do, which tell heights.
     pub fn is_globe(&self) -> bool {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-        let highest_m = if self.is_fine() { (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M) } else { RELIEF_M };
+        let highest_m = if self.is_fine() && self.has_light() {
+            (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M)
+        } else {
+            RELIEF_M
+        };
         self.uniform.layers & all == all
             && self.camera.altitude_m > LOWEST_GLOBE_M
             && nearest_pixel_m(&self.uniform, &self.camera) > highest_m
