@@ -1,23 +1,30 @@
 // Clouds that clouds.wgsl has drawn into a smaller picture, laid over the whole one. What stands among them or before them, a mountain, is
-// told by its depth: of the clouds of a sight it hides as much as it has of the way through their layer behind it. From space nothing does near the limb,
+// told by its depth: of the clouds of a sight it hides those behind it. From space nothing does near the limb,
 // and of the whole globe (`GLOBE`) nothing at all: no depth has been drawn. `GLOBE` and `SCALE` are of src/pass/clouds.rs.
 #import full_screen
 #import cloud_layer
+#import normal
 
 @group(1) @binding(0) var scene_depth: texture_depth_2d;
 @group(1) @binding(1) var small: texture_2d<f32>;
+@group(1) @binding(2) var small_ways: texture_2d<f32>;
 
 const FROM_SPACE = vec2f(6e4, 2.5e5); // heights of the eye, m, between which clouds come before all mountains,
 const SLANTING = vec2f(0.8, 0.5);       // and sines of a sight's descent, between which they do; ours
 const HORIZON_PIXELS = 2.0;  // of the smaller picture: as far as `sharpened` looks
+const WAYS_KNOWN = 0.005;    // least deviation of the logarithm of these ways: 16 bits know them so well
 const SHARPENED = 0.7;      // how much more than their mean the nearest four count, against a ring of four about them
 
-// What the smaller picture shows at a pixel. Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
+// What the smaller picture shows at a pixel, and from where that hides what is behind it: mean and deviation of the distance's logarithm.
+struct Small { seen: vec4f, ways: vec2f }
+
+// Neighbours there have looked elsewhere in their steps: the mean of four has no grain, nor has that of the
 // ring, in which each of the four counts as much. Their mean alone makes edges three of its pixels wide; nothing shows that none of the eight has.
-fn sharpened(at: vec2f) -> vec4f {
+fn sharpened(at: vec2f) -> Small {
     let size = vec2f(textureDimensions(small));
     let place = at / SCALE;
     var near = vec4f(0.0);
+    var ways = vec3f(0.0);     // means, deviations, and squares of means
     var ring = vec4f(0.0);
     var least = vec4f(1e9);
     var most = vec4f(0.0);
@@ -28,19 +35,23 @@ fn sharpened(at: vec2f) -> vec4f {
         let one = textureSampleLevel(small, clamped, (place + aside) / size, 0.0);
         let other = textureSampleLevel(small, clamped, (place + about) / size, 0.0);
         near += 0.25 * one;
+        let way = textureSampleLevel(small_ways, clamped, (place + aside) / size, 0.0).xy;
+        ways += 0.25 * vec3f(way, way.x * way.x / max(one.a, 1e-4));
         ring += 0.25 * other;
         least = min(least, min(one, other));
         most = max(most, max(one, other));
     }
-    return clamp(near + SHARPENED * (near - ring), least, most);
+    ways /= max(near.a, 1e-4);
+    let apart = max(ways.z - ways.x * ways.x, 0.0);
+    return Small(clamp(near + SHARPENED * (near - ring), least, most), vec2f(ways.x, sqrt(ways.y * ways.y + apart)));
 }
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let at = corner.position.xy;
     var direction = normalize(frame.ray_forward + corner.device.x * frame.ray_right + corner.device.y * frame.ray_up);
-    let seen = sharpened(at);
-    if GLOBE { return seen; }
+    let clouds = sharpened(at);
+    if GLOBE { return clouds.seen; }
     var ray = eye_ray(direction);
     var hit = surface_hit(ray);
     // Pixels of the smaller picture beside one on the horizon pass over it, and have the clouds behind it.
@@ -51,24 +62,23 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
         ray = eye_ray(direction);
         hit = -1.0;
     }
-    let water = layer_stretch(ray, select(hit, 1e9, (hit < 0.0) | (frame.eye_altitude < CLOUD_BASE)));
+    let far = select(hit, 1e9, (hit < 0.0) | (frame.eye_altitude < CLOUD_BASE));
+    let water = layer_stretch(ray, far);
+    let has_water = water.first < water.last;
     let shell = shell_hits(ray, ICE_HEIGHT);
     let ice = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
-    let has_ice = (shell.x <= shell.y) & (ice > 0.0);
-    // A sight that meets neither, beside the limb, has only its neighbours' clouds.
-    let stretch = select(select(vec2f(1.0, 0.0), vec2f(ice, ice + 1.0), has_ice), vec2f(water.first, water.last), water.first < water.last);
+    let has_ice = (shell.x <= shell.y) & (ice > 0.0) & (ice < far);
+    // From the first to the last of both. A sight that meets neither, beside the limb, has only its neighbours' clouds.
+    let stretch = select(vec2f(1.0, 0.0), vec2f(min(select(1e9, water.first, has_water), select(1e9, ice, has_ice)),
+        max(select(0.0, water.last, has_water), select(0.0, ice + 1.0, has_ice))), has_water | has_ice);
     let depth = textureLoad(scene_depth, vec2u(at), 0);
     let stands = NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3);
-    // What lies below the layer of a sight that comes back to it counts as none of the way.
-    let gap = water.returns - water.leaves;
-    let way = stands - stretch.x - clamp(stands - water.leaves, 0.0, gap);
-    let before = saturate(way / max(stretch.y - stretch.x - gap, 1.0));
-    // Half-way through closed clouds nothing is seen any more. Land that stands farther into their layer than where a sight is lowest or leaves it hides no
-    // more of them than that, or it would be a line across near ones; of what stands nearer it is not known which are behind.
-    let lowest = select(1e9, -direction.z * SEMI_MINOR, direction.z < 0.0);
-    let closed = (1.0 - pow(max(1.0 - seen.a, 1e-6), before)) / max(seen.a, 1e-4);
-    let share = mix(before, min(closed, 1.0), smoothstep(0.5, 1.0, (stands - stretch.x) / max(min(water.leaves, lowest) - stretch.x, 1.0)));
+    // How much of what they hide they hide before it.
+    let deviation = max(clouds.ways.y, WAYS_KNOWN);
+    let ways = (vec3f(way_of(stands), way_of(stretch.x), way_of(stretch.y)) - clouds.ways.x) / deviation;
+    let hidden = vec3f(normal_share(ways.x), normal_share(ways.y), normal_share(ways.z));
+    let share = select(saturate((hidden.x - hidden.y) / max(hidden.z - hidden.y, 1e-4)), 1.0, stands >= stretch.y);
     // Clouds lie higher over mountains than this layer does: what stands out of it would be a ribbon towards the limb. Seen from where there is one, none does.
     let over = smoothstep(FROM_SPACE.x, FROM_SPACE.y, frame.eye_altitude) * smoothstep(SLANTING.x, SLANTING.y, -direction.z);
-    return seen * mix(select(0.0, share, stretch.x < stretch.y), 1.0, over);
+    return clouds.seen * mix(select(0.0, share, stretch.x < stretch.y), 1.0, over);
 }

@@ -109,11 +109,21 @@ fn cloud_once(c: f32) -> f32 {
     return 0.045 / (x * sqrt(x));
 }
 
-// What clouds add to a sight, and what they leave of what is behind them.
-struct Veil { radiance: vec3f, through: f32 }
+// What clouds add to a sight, what they leave of what is behind them, and from where they hide it: the distance's logarithm and its square, times what they
+// hide. Means of distances would be far ones, where a few far clouds are seen behind near ones.
+struct Veil { radiance: vec3f, through: f32, ways: vec2f }
+
+const NO_VEIL = Veil(vec3f(0.0), 1.0, vec2f(0.0));
 
 // One before the other.
-fn before(near: Veil, far: Veil) -> Veil { return Veil(near.radiance + near.through * far.radiance, near.through * far.through); }
+fn before(near: Veil, far: Veil) -> Veil {
+    return Veil(near.radiance + near.through * far.radiance, near.through * far.through, near.ways + near.through * far.ways);
+}
+
+fn ways_of(distance: Metres) -> vec2f {
+    let way = way_of(distance);
+    return vec2f(way, way * way);
+}
 
 fn sun_cosine(at: vec3f) -> f32 { return dot(frame.light, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))); }
 
@@ -156,8 +166,9 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     let length = max(stretch.last - stretch.first - (stretch.returns - stretch.leaves), 0.0);
     let is_wide = GLOBE | (stretch.first * cloud_pixel() > WIDE_PIXEL);
     let from_space = length / clamp(ceil(length / max(SHORTEST_FROM_SPACE, 0.3 * stretch.first * cloud_pixel())), 2.0, MOST_STEPS);
-    var veil = Veil(vec3f(0.0), 1.0);
+    var veil = NO_VEIL;
     var way = 0.0;
+    var counted = 0.0;
     var t = stretch.first;
     var fine_left = 0u;
     var look = 0u;
@@ -192,7 +203,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
         // In clouds it is narrower than the steps: each of four neighbours takes others.
         let footprint = max(field_shown() * sight * cloud_pixel(), select(select(select(1.0, 0.5, is_wide), 0.15, is_fine) * step, max(0.15 * step, 40.0), is_lit));
         // A look towards the sun asks as well how high the cloud is there, by more octaves than tell whether it is one.
-        let level = cloud_level_of(weather, place, footprint, select(edge, max(edge, weather.x), is_lit));
+        let level = cloud_level_of(weather, place, footprint, edge, select(edge, max(edge, weather.x), is_lit));
         let soft = mix(WISPY, CLOUD_SOFT, smoothstep(0.0, CRISP_FROM, height));
         let deviation = sqrt(level.y + soft * soft);
         let x = (level.x - edge) / deviation;
@@ -232,6 +243,10 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
             let sun = SUN_IRRADIANCE * sunlight(mix(CLOUD_TOP, HIGH_TOPS, wideness), mu) * mix(1.0, level_lit, max(closed, wideness));
             veil.radiance += veil.through * shade * cloud_source(sun, daylight_at(mu).sky, heap, phase, once, direction.z);
             way += veil.through * shade * sight;
+            // Near ones count the more: what stands between them and far ones hides these.
+            let counts = veil.through * veil.through * shade;
+            counted += counts;
+            veil.ways += counts * ways_of(sight);
             veil.through *= 1.0 - shade;
         }
         let waits = FINE & !is_lit & is_fine & is_cloud;
@@ -252,6 +267,7 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     // Sights that end in a cloud see nothing behind it: of the sun so much would be a disc in an overcast sky.
     veil.through *= smoothstep(HIDDEN, 4.0 * HIDDEN, veil.through);
     let hidden = 1.0 - veil.through;
+    veil.ways *= hidden / max(counted, 1e-6);
     let air = haze(direction, way / max(hidden, 1e-4));
     veil.radiance *= seen_from_below(direction.z, 1.0 - clear);
     veil.radiance = veil.radiance * grey_air(air.transmittance) + hidden * lit_air(air, light);
@@ -259,7 +275,8 @@ fn water_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32, grain: f32)
     // Before all of them stands the spray, in the light that the sky's has.
     let left = exp(-spray_before_sky(direction.z));
     let spray = spray_light(Daylight(sunny.sun, sunny.sky, 0.0, clear, 1.0, light.air_sky), vec3f(0.0, 0.0, 1.0), direction);
-    return before(Veil((1.0 - left) * spray, left), veil);
+    // It is where they are, for what stands among them.
+    return before(Veil((1.0 - left) * spray, left, (1.0 - left) * veil.ways / max(hidden, 1e-4)), veil);
 }
 
 // An eye so near their shell sees less of them: it would be a line, edge on.
@@ -274,7 +291,7 @@ const ICE_GREY = 0.35;
 fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     let shell = shell_hits(ray, ICE_HEIGHT);
     let t = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
-    if (shell.x > shell.y) | (t <= 0.0) | (t >= far) { return Veil(vec3f(0.0), 1.0); }
+    if (shell.x > shell.y) | (t <= 0.0) | (t >= far) { return NO_VEIL; }
     let at = direction * t;
     let mu = sun_cosine(at);
     let rise = abs(dot(direction, normalize(normal_delta(at) + vec3f(0.0, 0.0, 1.0))));
@@ -289,7 +306,7 @@ fn ice_clouds(ray: Ray, direction: vec3f, far: Metres, phase: f32) -> Veil {
     // Deep ones are as level white ground, from above, and let through less, from below.
     let deep = select(ICE_WHITE, ICE_GREY, frame.eye_altitude < ICE_HEIGHT) * max(mu, 0.0);
     let lit = (sun * mix(0.55 * phase, deep, 1.0 - exp(-depth / ICE_DEEP)) + 0.5 * daylight_at(mu).sky) / PI;
-    return Veil(shade * (lit * grey_air(air.transmittance) + air.radiance), 1.0 - shade);
+    return Veil(shade * (lit * grey_air(air.transmittance) + air.radiance), 1.0 - shade, shade * ways_of(t));
 }
 
 // Drops send half of what they scatter on, within a degree or two of its way, by diffraction: what thin clouds take from the disc stands about it.
@@ -304,8 +321,11 @@ fn corona(direction: vec3f, through: f32) -> vec3f {
     return SUN_IRRADIANCE * beam_seen(direction) * (DIFFRACTED * once / (PI * CORONA * CORONA * spread * spread));
 }
 
+// Radiance and opacity; and the mean of its distance's logarithm and the deviation of that, times it: for the smaller picture alone.
+struct Seen { @location(0) veil: vec4f, @location(1) ways: vec2f }
+
 @fragment
-fn fragment(corner: Corner) -> @location(0) vec4f {
+fn fragment(corner: Corner) -> Seen {
     let device = corner.position.xy * SCALE * vec2f(2.0, -2.0) / frame.viewport + vec2f(-1.0, 1.0);
     var direction = normalize(frame.ray_forward + device.x * frame.ray_right + device.y * frame.ray_up);
     // From below them clouds go on below the horizon as they are on it, for the pixels of the whole picture that are just above it.
@@ -325,5 +345,7 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     var all = before(ice, water);
     if frame.eye_altitude < ICE_HEIGHT { all = before(water, ice); }
     if !GLOBE { all.radiance += corona(direction, all.through); }
-    return vec4f(all.radiance * frame.exposure, 1.0 - all.through);
+    let opacity = 1.0 - all.through;
+    let variance = all.ways.y * opacity - all.ways.x * all.ways.x;
+    return Seen(vec4f(all.radiance * frame.exposure, opacity), vec2f(all.ways.x, sqrt(max(variance, 0.0))));
 }

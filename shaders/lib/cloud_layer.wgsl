@@ -26,3 +26,6 @@ fn layer_stretch(ray: Ray, far: Metres) -> Stretch {
     let last = select(ends, min(inner.x, far), goes_below & !returns);
     return Stretch(select(first, 1.0, is_missed), select(last, 0.0, is_missed), select(last, inner.x, returns), select(last, inner.y, returns));
 }
+
+// The logarithm of a distance, over a kilometre.
+fn way_of(distance: Metres) -> f32 { return log(max(distance, 1.0) / 1000.0); }

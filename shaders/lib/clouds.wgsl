@@ -1,6 +1,6 @@
 // Clouds: one field over the earth for eyes at any height. A place is in cloud where a normal level, the weather's of cloud_map.wgsl and
 // octaves from 32 km down, lies above zero; the more, the higher the cloud stands on its base. What a footprint hides of the octaves is a
-// variance, so that the share that clouds cover does not depend on who looks from where.
+// variance, so that the share that clouds cover hardly depends on who looks from where.
 #import cloud_noise
 #import cloud_layer
 #import light
@@ -33,6 +33,12 @@ const CLOUD_BENT = vec3f(0.06, -0.03, 0.05);   // cells by which each octave bef
 const CLOUD_TURN = mat3x3f(0.0, 0.8, 0.6, -0.8, 0.36, -0.48, -0.6, -0.48, 0.64);
 const CLOUD_OCTAVES = 9u;
 const CLOUD_BILLOWS = 3u;        // from this octave on they are heaps of round lobes, creased where the noise is none
+
+// From this octave on lobes stand on heaps: of one that the level before it leaves so far outside, in deviations, so much is there. All of it would be scraps
+// that float on their own, as many as heaps, like confetti.
+const CLOUD_LOBES = 5u;
+const CLOUD_BESIDE = vec2f(-0.5, 0.1);
+const CLOUD_SCRAPS = 0.2;
 
 // A place of the local frame, in metres from the earth's middle along axes that drift with the clouds.
 fn cloud_place(local: vec3f) -> vec3f { return frame.cloud_eye + cloud_way(local); }
@@ -85,9 +91,9 @@ fn drawn_out(place: vec3f) -> vec3f { return CLOUD_LONG * place + (1.0 - CLOUD_L
 
 fn heaped_share(weather: vec2f) -> f32 { return normal_share((weather.y - frame.cloud_shift - HEAPED_BY.x) / HEAPED_BY.y); }
 
-// The level of water clouds at a place, and the variance that a footprint hides of it, or that cannot bring it to the other side of `edge`;
-// `weather`: the levels of it there. As in lib/waves.wgsl, the loop ends at its foot.
-fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) -> vec2f {
+// The level of water clouds at a place, and the variance that a footprint hides of it, or that cannot bring it to the other side of `asked`;
+// `weather`: the levels of it there; `edge`: that above which the place is in cloud. As in lib/waves.wgsl, the loop ends at its foot.
+fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32, asked: f32) -> vec2f {
     var sum = weather.x;
     var turned = drawn_out(place);
     var cell = CLOUD_WIDEST;
@@ -100,7 +106,8 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
     loop {
         let shown = 1.0 - smoothstep(0.2, 0.7, footprint / cell);
         let noise = cloud_noise(turned / cell, i);
-        sum += sqrt(part) * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
+        let bulge = select(1.0, mix(CLOUD_SCRAPS, 1.0, smoothstep(CLOUD_BESIDE.x, CLOUD_BESIDE.y, sum - edge)), i >= CLOUD_LOBES);
+        sum += sqrt(part) * bulge * shown * select(noise, (abs(noise) - 0.798) / 0.603, i >= CLOUD_BILLOWS);
         hidden -= part * shown * shown;
         turned += select(vec3f(0.0), noise * cell * CLOUD_BENT, i < CLOUD_BILLOWS);
         if i >= CLOUD_BILLOWS { turned = CLOUD_TURN * turned; }
@@ -108,14 +115,14 @@ fn cloud_level_of(weather: vec2f, place: vec3f, footprint: Metres, edge: f32) ->
         cell /= CLOUD_FINER;
         part = select(part * select(select(fade, HEAPS_FADE, i == CLOUD_BILLOWS), BILLOW_FADE, i > CLOUD_BILLOWS), variance * HEAPS_FIRST, i + 1u == CLOUD_BILLOWS);
         i++;
-        let is_certain = abs(sum - edge) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
+        let is_certain = abs(sum - asked) > CLOUD_CERTAIN * sqrt(max(hidden, 0.0) + CLOUD_SOFT * CLOUD_SOFT);
         if i == CLOUD_OCTAVES || footprint >= 0.7 * cell || is_certain { break; }
     }
     return vec2f(sum, max(hidden, 0.0));
 }
 
 fn cloud_level(place: vec3f, footprint: Metres, edge: f32) -> vec2f {
-    return cloud_level_of(cloud_weather(place), place, footprint, edge);
+    return cloud_level_of(cloud_weather(place), place, footprint, edge, edge);
 }
 
 // What a footprint sees of clouds: the share that is in one, and how far, in the mean of these, the level lies above the edge there.
@@ -155,7 +162,7 @@ const OVERHEAD: Metres = 6000.0;        // as wide as the sky is that most of it
 
 // Share of the sky over a place that is in cloud, given the weather and the place in clouds.
 fn cloud_cover(weather: vec2f, place: vec3f, footprint: Metres) -> f32 {
-    return in_cloud(cloud_level_of(weather, place, max(footprint, OVERHEAD), 0.0), 0.0).share;
+    return in_cloud(cloud_level_of(weather, place, max(footprint, OVERHEAD), 0.0, 0.0), 0.0).share;
 }
 
 const LOWEST_LIGHT = -0.01;     // sine of the elevation of light over the sea: lower, it lights no cloud from where it is
@@ -169,7 +176,7 @@ fn cloud_shadow(at: vec3f, up: vec3f, footprint: Metres) -> Shadow {
     let mu = sqrt(low * low + 2.0 * CLOUD_SHADOW / frame.semi_major);
     let overhead = cloud_place(at + frame.light * (2.0 * CLOUD_SHADOW / (low + mu)));
     let weather = cloud_weather(overhead);
-    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0), 0.0);
+    let cloud = in_cloud(cloud_level_of(weather, overhead, max(footprint, SHADOW_BLUR), 0.0, 0.0), 0.0);
     // Where clouds close they are dense below what makes heaps high: as if they were as high as heaps of that level.
     let tall = cloud_top(cloud.excess, 0.0) * (CLOUD_TOP - CLOUD_BASE);
     let through = exp(-HEAP_EXTINCTION * cloud.excess * tall / mu);

@@ -43,6 +43,24 @@ pub fn resume<'a>(
     })
 }
 
+/// A render pass into two targets, transparent at first.
+pub fn begin_both<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    views: &'a [wgpu::TextureView; 2],
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &views.each_ref().map(|view| Some(transparent(view))),
+        ..Default::default()
+    })
+}
+
+fn transparent(view: &wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'_> {
+    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
+    wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
+}
+
 /// A render pass that finds what is nearest in each pixel: into two targets, whose texels count where the depth is not infinitely far.
 pub fn begin_places<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
@@ -50,11 +68,9 @@ pub fn begin_places<'a>(
     views: &'a [wgpu::TextureView; 2],
     depth: &wgpu::TextureView,
 ) -> wgpu::RenderPass<'a> {
-    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
-    let attachment = |view| wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops };
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some(label),
-        color_attachments: &views.each_ref().map(|view| Some(attachment(view))),
+        color_attachments: &views.each_ref().map(|view| Some(transparent(view))),
         depth_stencil_attachment: Some(begun(depth, wgpu::StoreOp::Store)),
         ..Default::default()
     })

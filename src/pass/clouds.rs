@@ -1,11 +1,12 @@
 //! Clouds over all that has been drawn: into a smaller picture first, which is laid over the whole one, or into it at once.
 
-use crate::gpu::drawing::begin;
+use crate::gpu::drawing::begin_both;
 use crate::gpu::pipeline::{Bind, Drawing};
 use crate::gpu::texture::{self, Shape};
 use crate::gpu::{Gpu, shader};
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Of the smaller picture, and of how far its clouds are.
+const FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba16Float, wgpu::TextureFormat::Rg16Float];
 /// How they are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
@@ -56,7 +57,7 @@ pub fn veil_source(Look { globe, scale, .. }: Look) -> String {
 struct Small {
     size: [u32; 2],
     scale: u32,
-    view: wgpu::TextureView,
+    views: [wgpu::TextureView; 2],
     read: wgpu::BindGroup,
 }
 
@@ -80,7 +81,8 @@ impl Clouds {
         format: wgpu::TextureFormat,
     ) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
-        let veil_binds = [Bind::Depth, Bind::Texture(wgpu::TextureViewDimension::D2)];
+        let small = Bind::Texture(wgpu::TextureViewDimension::D2);
+        let veil_binds = [Bind::Depth, small, small];
         let veil_layout = gpu.layout("cloud veil", fragment, &veil_binds);
         let blending = wgpu::ColorTargetState {
             format,
@@ -89,8 +91,8 @@ impl Clouds {
         };
         let drawings = Look::all().map(|look| {
             let groups = [frame, surface];
-            let target = if look.scale > 1 { FORMAT.into() } else { blending.clone() };
-            gpu.drawing("clouds", (&source(look), "vertex"), &groups, &[], target, None)
+            let targets = if look.scale > 1 { FORMATS.map(Into::into).to_vec() } else { vec![blending.clone()] };
+            gpu.drawing_into("clouds", (&source(look), "vertex"), &groups, &[], &targets, None, 1)
         });
         let veils = Look::all().map(|look| {
             let groups = [frame, &veil_layout];
@@ -118,10 +120,11 @@ impl Clouds {
         let scale = look.scale;
         if self.small.as_ref().is_none_or(|small| (small.size, small.scale) != (size, scale)) {
             let shape = Shape::picture(size[0].div_ceil(scale), size[1].div_ceil(scale));
-            let view = texture::view(&gpu.texture("clouds", shape, FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT));
-            let views = [depth, &view].map(wgpu::BindingResource::TextureView);
-            let read = gpu.bind("cloud veil", &self.veil_layout, &views);
-            self.small = Some(Small { size, scale, view, read });
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            let views = FORMATS.map(|format| texture::view(&gpu.texture("clouds", shape, format, usage)));
+            let resources = [depth, &views[0], &views[1]].map(wgpu::BindingResource::TextureView);
+            let read = gpu.bind("cloud veil", &self.veil_layout, &resources);
+            self.small = Some(Small { size, scale, views, read });
         }
         let Some(small) = &self.small else { return };
         // Pixels at the rim of the part read those beside it.
@@ -129,7 +132,7 @@ impl Clouds {
         let [first, last] = [[left, top], [left + width, top + height]];
         let first = first.map(|at| (at / scale).saturating_sub(2));
         let last = [0, 1].map(|axis: usize| (last[axis].div_ceil(scale) + 2).min(size[axis].div_ceil(scale)));
-        let mut pass = begin(encoder, "clouds", &small.view, wgpu::Color::TRANSPARENT, None);
+        let mut pass = begin_both(encoder, "clouds", &small.views);
         pass.set_pipeline(&self.drawings[look.index()]);
         let part = [first[0], first[1], last[0] - first[0], last[1] - first[1]];
         draw_part(&mut pass, part, &groups);

@@ -120,8 +120,12 @@ pub fn set_clouds(
     }
     let net = net(settings.quality, size);
     u.cloud_net = net[0] | net[1] << 16;
-    let clouds =
-        shown.then(|| Clouds { net, weather, area: area(camera, size), are_below: camera.altitude_m >= clouds::BASE_M });
+    let clouds = shown.then(|| Clouds {
+        net,
+        weather,
+        area: area(camera, size),
+        are_below: camera.altitude_m >= clouds::BASE_M,
+    });
     (clouds, SkyFilter::new(camera, grey))
 }
 
