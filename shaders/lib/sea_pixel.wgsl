@@ -135,6 +135,7 @@ fn sea_pixel(in: Patch, pixel: vec2u) -> SeaPixel {
     let surf_shore = ground.ocean_shore * (1.0 - ground.corals.x);
     if SURF {
         waves = shore_waves_at(point, -ground.elevation, -ground.plain, ground.waves, ground.ocean_shore, ground.face, distance, footprint, footprint);
+        waves.white *= mix(comes_ashore(waves.way, ground.shore_rise), 1.0, ground.corals.x);
         sea = left_by_trains(sea, waves.share);
     }
     var ripples = 1.0;

@@ -17,10 +17,10 @@ struct Trains { z: vec2f, cosines: vec2f, sines: vec2f, hidden: f32 }
 const NO_TRAINS = Trains(vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0);
 
 // Waves at a place: height over the mean level, its slope east and north, how far its group has broken (0 to 1), seconds since the last crest, how high
-// the waves are, the share of the sea's energy that is theirs, and the variance of their slopes that does not show.
-struct ShoreWaves { rise: Metres, slope: vec2f, white: f32, age: f32, height: Metres, share: f32, hidden: f32 }
+// the waves are, the share of the sea's energy that is theirs, the variance of their slopes that does not show, and which way they go.
+struct ShoreWaves { rise: Metres, slope: vec2f, white: f32, age: f32, height: Metres, share: f32, hidden: f32, way: vec2f }
 
-const NO_SHORE_WAVES = ShoreWaves(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+const NO_SHORE_WAVES = ShoreWaves(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, vec2f(0.0));
 
 // Energy that the trains have of the sea's long waves: where these feel the bottom, by a shore, and near the eye.
 fn trains_share(depth: Metres, shore: Metres, distance: Metres) -> f32 {
@@ -78,7 +78,7 @@ fn in_window(place: Among, k: u32, train: u32) -> InWindow {
 // All trains at a place, and how much of the windows' energy has been found. Each train is as high as its windows say; where two have it, its
 // phase goes from the one's to the other's, like that of phasor noise: their sum would be as high as chance has it, for good.
 // Where the sea is not theirs, `unwanted`, the first stands for all. As in lib/waves.wgsl, the loop ends at its foot. `group`: `group_of` them.
-struct AllTrains { sum: Trains, found: f32, group: Metres }
+struct AllTrains { sum: Trains, found: f32, group: Metres, way: vec2f }
 
 // Σ A e^{iθ} of each train, and its wave vector.
 alias SingleTrains = array<vec4f, SHORE_TRAINS>;
@@ -130,7 +130,7 @@ fn trains_at(point: MapPoint, depth: Metres, plain: Metres, shore: Metres, face:
     // Of the way to the shore, a plane beach's part and that of Dean's profile.
     let plane = min(usual / face, max(shore, 0.0));
     let curved = max(shore, 0.0) - plane;
-    var all = AllTrains(NO_TRAINS, 0.0, 0.0);
+    var all = AllTrains(NO_TRAINS, 0.0, 0.0, vec2f(0.0));
     var single: SingleTrains;
     var mean_way = vec2f(1e-9, 0.0);
     var t = 0u;
@@ -174,7 +174,8 @@ fn trains_at(point: MapPoint, depth: Metres, plain: Metres, shore: Metres, face:
         t++;
         if (t == SHORE_TRAINS) | unwanted { break; }
     }
-    all.group = group_of(&single, normalize(vec2f(-mean_way.y, mean_way.x)), unwanted);
+    all.way = normalize(mean_way);
+    all.group = group_of(&single, vec2f(-all.way.y, all.way.x), unwanted);
     return all;
 }
 
@@ -235,7 +236,7 @@ fn shore_waves_at(point: MapPoint, depth: Metres, plain: Metres, left: f32, shor
     // A crest that begins to break is white from its top on, a bore from a quarter up its face, which is steep and comes before the sum's crest.
     let ahead = mix(TOP_AHEAD, FACE_AHEAD, white);
     let since = theta + ahead + select(0.0, WHOLE_TURN, theta < -ahead);
-    return ShoreWaves(half * surface.x, tilt, white * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * left * left * all.sum.hidden);
+    return ShoreWaves(half * surface.x, tilt, white * smoothstep(0.02, 0.1, share), since / omega, height, share, wanted * left * left * all.sum.hidden, all.way);
 }
 
 // What the trains leave of the sea at a place: of the first and the second patch, and of the height of all.

@@ -19,6 +19,17 @@ fn height_coming_in(sea: LocalSea, distance: Metres) -> Metres {
     return seen * frame.wave_height * sea.height;
 }
 
+// Cosines of the angle between waves' way and that to the shore below which they do not break, and from which as shoals have it. Bottoms turn waves to the shore; those that
+// run along it, past a headland, spread out over what bends away from them: there rows of crests would stand out from the land like a comb's teeth. Ours.
+const ASHORE = vec2f(0.4, 0.8);
+
+// How far waves break that go a way (east, north), where the distance to the shore grows so right and down on the map; by where a shore is far on two sides it tells nothing.
+fn comes_ashore(way: vec2f, rise: vec2f) -> f32 {
+    let slope = length(rise);
+    let towards = dot(way, vec2f(-rise.x, rise.y)) / max(slope, 1e-3);
+    return mix(1.0, smoothstep(ASHORE.x, ASHORE.y, towards), smoothstep(0.3, 0.7, slope));
+}
+
 // A front covers all of the water, what it leaves behind so much at first: else no water is seen between one crest and the next. Ours.
 const LACE_LEFT: f32 = 0.4;
 

@@ -18,7 +18,7 @@ const SHARES: &str = "#import surf
 @compute @workgroup_size(64)
 fn ask(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&asked) { return; }
-    let waves = ShoreWaves(0.0, vec2f(0.0), 1.0, asked[id.x].x, 2.0, 1.0, 0.0);
+    let waves = ShoreWaves(0.0, vec2f(0.0), 1.0, asked[id.x].x, 2.0, 1.0, 0.0, vec2f(0.0));
     found[id.x] = surf_at(waves, 30.0, 1.0, 1.4, asked[id.x].y, 0.0).x;
 }";
 

@@ -115,3 +115,24 @@ fn crests_on_a_far_beach_are_no_rows_of_dots() {
     // Where fronts are narrower than pixels 0.029 did.
     assert!(bends.len() > 8000 && dots < 0.005, "{dots} of {}", bends.len());
 }
+
+#[test]
+fn waves_that_run_along_a_headland_are_no_comb() {
+    const WHOLE: [u32; 2] = [640, 360];
+    let mut renderer = render::headless(DATA, Radiance::Half).unwrap();
+    let link = "#view=36.4,25.35,400,40,75&clouds=0&time=2026-06-11T10:00:00Z";
+    let pixels = render::picture(&mut renderer, &render::parse_state(link).unwrap(), WHOLE).unwrap();
+    // Of red, which the water takes: it is foam's.
+    let white = |columns: std::ops::Range<u32>, rows: std::ops::Range<u32>| {
+        let is_white = |x: u32, y: u32| pixels[(4 * (y * WHOLE[0] + x)) as usize] > 130;
+        let count = rows.len() * columns.len();
+        rows.flat_map(|y| columns.clone().map(move |x| (x, y))).filter(|(x, y)| is_white(*x, *y)).count() as f64
+            / count as f64
+    };
+    // Off the tip, past which waves come by, and along the beach that faces them.
+    let [off_tip, on_beach] = [white(232..292, 215..262), white(20..180, 296..330)];
+    println!("of the water off the headland {off_tip:.4} is white, along its beach {on_beach:.4}");
+    assert!(on_beach > 0.2, "{on_beach}");
+    // 0.076 where crests break whichever way they go: rows of them, one behind the other, out from the land.
+    assert!(off_tip < 0.02, "{off_tip}");
+}
