@@ -5,8 +5,9 @@
 // What one value of the grid tells: elevation, depth where it is wet, whether it is. Interpolated: what the grid's cells around a place have.
 fn grid_value(elevation: Metres) -> vec3f { return vec3f(elevation, max(-elevation, 0.0), select(0.0, 1.0, elevation < 0.0)); }
 
-// A of Dean's profile and slope at the waterline; 0 a beach, 1 a cliff or a front of ice; how deep the profile goes, and the water off the coast, and that at least.
-struct Coast { a: f32, m: f32, cliff: f32, deepest: Metres, far: Metres, least: Metres }
+// A of Dean's profile and slope at the waterline; 0 a beach, 1 a cliff or a front of ice; how deep the profile goes, and the water off the coast, and that at least; how far
+// the grid's own values are trusted far from the shore.
+struct Coast { a: f32, m: f32, cliff: f32, deepest: Metres, far: Metres, least: Metres, trust: f32 }
 
 fn coast_of(grid: vec3f, sin_lat: f32) -> Coast {
     let cell = max(frame.terrain_resolution, 1.0);
@@ -18,7 +19,7 @@ fn coast_of(grid: vec3f, sin_lat: f32) -> Coast {
     let cliff = max(smoothstep(CLIFF_BEGINS, CLIFF_WHOLE, 2.0 * land / cell), smoothstep(ICE_BEGINS, ICE_WHOLE, -sin_lat));
     let steep = off / (ROCKY_SLOPE * cell);
     let a = min(sand * (1.0 + steep * steep + ROCK_ADDS * cliff), ROCK_MOST);
-    return Coast(a, mix(FACE_LEAST + FACE_RISES * sand, CLIFF_SLOPE, cliff), cliff, max(off, least), sea, least);
+    return Coast(a, mix(FACE_LEAST + FACE_RISES * sand, CLIFF_SLOPE, cliff), cliff, max(off, least), sea, least, smoothstep(BED_WET, BED_ALL_WET, grid.z));
 }
 
 // Level of the terrain's tiles whose texels are about as wide as the grid's cells at the equator.
@@ -45,7 +46,7 @@ fn shaped_elevation(elevation: Metres, coast: Coast, ocean_shore: Metres) -> Met
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     let w = smoothstep(0.1 * trusted, trusted, d);
     let near = min(bed_steeper() * profile_depth(coast, d), coast.deepest);
-    let far = max(mix(coast.far, -elevation, w), coast.least);
+    let far = max(mix(coast.far, -elevation, w * (1.0 - w * w * w * (1.0 - coast.trust))), coast.least);
     let depth = select(far, near * pow(far / max(near, 0.1), w), w < 1.0);
     let scaled = elevation * smoothstep(0.0, frame.terrain_resolution / 3.0, d);
     let berm = min(bed_steeper() * coast.m * d, BERM * smoothstep(0.0, 1.0, elevation));

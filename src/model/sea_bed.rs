@@ -7,7 +7,7 @@
 //!  the grid _____.-'          d distance to the shore, h depth, R width of the grid's cells
 //! ```
 //! Elevation grids are minutes of arc wide, the shoreline is known to hundreds of metres. Near the shore the grid's cell mixes land and sea, so
-//! its value is trusted only from one cell's width on. Closer, the bed is the profile that waves give to sand
+//! its value is trusted only from one cell's width on, and where no cell about it is dry. Closer, the bed is the profile that waves give to sand
 //! ([Dean](crate::bibliography::Dean1991)): its A follows from the depth that the grid has off the coast, the grains from A, and the slope m of
 //! the beach from the grains ([Sunamura](crate::bibliography::Sunamura1984)) under the waves of a usual climate, never those of the wind of the day. High
 //! land and deep sea beside a coast make it steeper: rock, and no beach. `shaders/lib/shore_shape.wgsl` does the same in 32 bits.
@@ -37,6 +37,9 @@ pub const LEAST_SHARE: f64 = 0.25;
 pub const DEAN: [f64; 3] = [0.1, 50.0, 9_277.0];
 /// Least and greatest A of sand, m^⅓.
 pub const SAND: [f64; 2] = [0.05, 0.25];
+/// Shares of the grid's wet values about a place of the sea from which its own elevation is trusted, and is without reserve: where dry ones are beside
+/// it grids have a coast that lies elsewhere, and between them and the deep an arc of shallows that are none.
+pub const WET: [f64; 2] = [0.8, 1.0];
 /// No farther from a shore the profile has a say, metres, however coarse the grid is.
 pub const WIDEST_M: f64 = 20_000.0;
 /// Slope of a coast, from the shore to a cell off it, at which its A is twice that of sand: rock begins to show through.
@@ -115,6 +118,8 @@ pub struct Coast {
     pub far_m: f64,
     /// Least depth of the water off it, metres.
     pub least_m: f64,
+    /// How far the grid's own values are trusted where they are far from the shore, 0 to 1: by [`WET`].
+    pub trust: f64,
 }
 
 impl Coast {
@@ -138,6 +143,7 @@ impl Coast {
             deepest_m: off_m.max(least_m),
             far_m: sea_m,
             least_m,
+            trust: smoothstep(WET[0], WET[1], grid.wet),
         }
     }
 
@@ -166,12 +172,13 @@ impl Coast {
     pub fn depth_m(&self, d: f64, elevation_m: f64, resolution_m: f64, steeper: f64) -> f64 {
         let trusted_m = trusted_m(resolution_m);
         let w = smoothstep(0.1 * trusted_m, trusted_m, d);
-        let near_m = (steeper * self.profile_m(d)).min(self.deepest_m);
+        // Nearer, the place's own value is partly land, and so it is far from the shore where the grid has a coast all the same.
+        let own = w * (1.0 - w * w * w * (1.0 - self.trust));
+        let far_m = (self.far_m + (-elevation_m - self.far_m) * own).max(self.least_m);
         if w >= 1.0 {
-            return self.least_m.max(-elevation_m);
+            return far_m;
         }
-        // Nearer, the place's own value is partly land.
-        let far_m = (self.far_m + (-elevation_m - self.far_m) * w).max(self.least_m);
+        let near_m = (steeper * self.profile_m(d)).min(self.deepest_m);
         near_m * libm::pow(far_m / near_m.max(0.1), w)
     }
 }

@@ -27,6 +27,24 @@ fn far_from_the_shore_the_grid_holds() {
 }
 
 #[test]
+fn a_coast_that_the_grid_has_elsewhere_makes_no_shallows() {
+    // Between cells that are 1,400 m deep and 600 m high, a cell and a half from the shore as it is mapped.
+    let depths: Vec<f64> = (0..=40)
+        .map(|step| {
+            let on = 0.9 * f64::from(step) / 40.0;
+            let grid = Grid::between([-1400.0, 600.0, -1400.0, 600.0], [on, 0.5]);
+            -shaped_on(grid.elevation_m, grid, 1.5 * R, [R, USUAL_SLOPE], 0.0)
+        })
+        .collect();
+    // The sea of the deep cells, as long as they are a quarter; the grid between them is above the water from 0.7 on.
+    assert!(depths[..34].iter().all(|depth| *depth > 800.0), "{depths:?}");
+    assert!(depths.windows(2).all(|d| (d[0] - d[1]).abs() < 160.0), "{depths:?}");
+    // And where all are wet the grid alone speaks, shoals or not.
+    let shoal = Grid::between([-1400.0, -6.0, -1400.0, -6.0], [0.9, 0.5]);
+    assert!((shaped_on(shoal.elevation_m, shoal, 1.5 * R, [R, USUAL_SLOPE], 0.0) - shoal.elevation_m).abs() < 1e-9);
+}
+
+#[test]
 fn the_formula_at_hand() {
     // 50 m deep off low land: A = 0.1 (50/50 (9277/9000)^⅔)^⅓ = 0.100676, m = 0.0409 + 0.304 A; rock adds (50/774)² = 0.42 %.
     let found = coast(50.0, 0.0);
@@ -38,10 +56,11 @@ fn the_formula_at_hand() {
     assert!((found.distance_m(3.0) - 203.607).abs() < 1e-3, "{}", found.distance_m(3.0));
     let grid = Grid::between([-50.0, 0.0, -50.0, 0.0], [0.5, 0.3]);
     assert!((shaped_on(-25.0, grid, 203.607, [R, USUAL_SLOPE], 0.0) + 3.0).abs() < 1e-5);
-    // Half a cell out, smoothstep(4/9) = 0.416_99: the profile's 43.486 m to that power less than one, and 50 + (25 - 50) 0.416_99 m to it.
+    // Half a cell out, smoothstep(4/9) = 0.416_99: the profile's 43.486 m to that power less than one, and 50 + (25 - 50) 0.386_78 m to it, as of the
+    // grid's own value 0.416_99 less its fourth power counts where half of its cells are dry.
     let near = found.profile_m(0.5 * R);
     let w = smoothstep(0.1, 1.0, 0.5);
-    let wanted = (near.ln() * (1.0 - w) + (50.0 - 25.0 * w).ln() * w).exp();
+    let wanted = (near.ln() * (1.0 - w) + (50.0 - 25.0 * (w - w.powi(4))).ln() * w).exp();
     assert!((w - 0.417).abs() < 1e-3 && (shaped_on(-25.0, grid, 0.5 * R, [R, USUAL_SLOPE], 0.0) + wanted).abs() < 1e-9);
     // 300 m inland, 50 m high: smoothstep(0.1) of R/3; and ocean in the mean: stays below zero, nearly at the shore's level.
     assert!((shaped_elevation(50.0, -300.0, R) - 2.0).abs() < 1e-12, "1.4 m by the grid, 2 m by the beach");

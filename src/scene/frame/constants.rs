@@ -66,6 +66,8 @@ fn bed_numbers() -> String {
         ("BED_UNKNOWN", sea_bed::LEAST_M[0]),
         ("BED_LEAST", sea_bed::LEAST_M[1]),
         ("BED_LEAST_SHARE", sea_bed::LEAST_SHARE),
+        ("BED_WET", sea_bed::WET[0]),
+        ("BED_ALL_WET", sea_bed::WET[1]),
         ("BERM", sea_bed::BERM_M),
         ("DEAN_A", sea_bed::DEAN[0]),
         ("DEAN_DEPTH", sea_bed::DEAN[1]),
