@@ -64,13 +64,12 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     }
     let far = select(hit, 1e9, (hit < 0.0) | (frame.eye_altitude < CLOUD_BASE));
     let water = layer_stretch(ray, far);
-    let has_water = water.first < water.last;
+    let in_water = select(vec2f(1e9, 0.0), vec2f(water.first, water.last), water.first < water.last);
     let shell = shell_hits(ray, ICE_HEIGHT);
     let ice = select(shell.x, shell.y, frame.eye_altitude < ICE_HEIGHT);
-    let has_ice = (shell.x <= shell.y) & (ice > 0.0) & (ice < far);
-    // From the first to the last of both. A sight that meets neither, beside the limb, has only its neighbours' clouds.
-    let stretch = select(vec2f(1.0, 0.0), vec2f(min(select(1e9, water.first, has_water), select(1e9, ice, has_ice)),
-        max(select(0.0, water.last, has_water), select(0.0, ice + 1.0, has_ice))), has_water | has_ice);
+    let in_ice = select(vec2f(1e9, 0.0), vec2f(ice, ice + 1.0), (shell.x <= shell.y) & (ice > 0.0) & (ice < far));
+    // From the first cloud to the last. A sight that meets neither kind, beside the limb, has only its neighbours'.
+    let stretch = vec2f(min(in_water.x, in_ice.x), max(in_water.y, in_ice.y));
     let depth = textureLoad(scene_depth, vec2u(at), 0);
     let stands = NEAR / max(depth, 1e-10) / max(dot(direction, frame.ray_forward), 1e-3);
     // How much of what they hide they hide before it.

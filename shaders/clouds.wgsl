@@ -1,6 +1,6 @@
 // Clouds over the ellipsoid: water clouds step by step through their layer, ice clouds as a shell. `GLOBE`: from
 // space. `SCALE`: pixels of the picture along one that is drawn here; from 2 on cloud_veil.wgsl
-// lays the result over the picture. `FINE`: each place in a cloud looks towards the sun.
+// lays the result over the picture, by from where it hides what is behind it. `FINE`: each place in a cloud looks towards the sun.
 // Long, but one thing: a sight from the eye through both layers, step by step, and what each step adds to it.
 #import full_screen
 #import clouds
