@@ -52,6 +52,10 @@ fn level_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> u32 {
 
 const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which coral reefs are no longer seen, metres
 
+// Widths of pixels, in cells of the grid, between which its coast is no longer seen to lie apart from the mapped one: wider ones have both, and what vertices tell of cells
+// that lie between them is of none.
+const COASTS_APART = vec2f(0.06, 0.25);
+
 // What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.
 fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
     var reefs = 0.0;
@@ -65,7 +69,7 @@ fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
 // The ground at a place, around which the grid has so much.
 fn ground_amid(point: MapPoint, sin_lat: f32, footprint: Metres, grid: vec4f) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
-    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid.xyz, grid.w * smoothstep(REEFS_SEEN.y, REEFS_SEEN.x, footprint));
+    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid.xyz, footprint, grid.w * smoothstep(REEFS_SEEN.y, REEFS_SEEN.x, footprint));
 }
 
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
@@ -76,11 +80,12 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
 fn ground_from_afar(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
     let cells = texels_around(false, point, found.terrain);
-    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells), 0.0);
+    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells), footprint, 0.0);
 }
 
-fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f, reefs: f32) -> Ground {
-    let coast = coast_of(grid, sin_lat);
+fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f, footprint: Metres, reefs: f32) -> Ground {
+    var coast = coast_of(grid, sin_lat);
+    coast.trust = max(coast.trust, smoothstep(COASTS_APART.x, COASTS_APART.y, footprint / max(frame.terrain_resolution, 1.0)));
     let water = shores_around(point, water_page);
     let texel = texel_metres(point, f32(water_page.level), sin_lat);
     var shores = water.told.xy * texel;

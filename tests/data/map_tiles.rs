@@ -23,7 +23,7 @@ fn load(streaming: &mut Streaming, world: &mut World, camera: &Camera) {
     loop {
         streaming.receive(world);
         let wanted = wanted_tiles(camera, SIZE, streaming);
-        if streaming.want(world, &wanted, camera.lat, camera.lon) {
+        if streaming.want(world, &wanted, (camera.lat, camera.lon, camera.altitude_m)) {
             return;
         }
         assert!(start.elapsed() < Duration::from_secs(60), "still loading after a minute");
@@ -63,7 +63,7 @@ fn more_tiles_than_there_is_room_for_are_loaded_as_far_as_there_is() {
     for tiles in [&roots[..], &many[..]] {
         loop {
             streaming.receive(&mut world);
-            if streaming.want(&mut world, tiles, 0.8, 0.15) {
+            if streaming.want(&mut world, tiles, (0.8, 0.15, 100.0)) {
                 break;
             }
             assert!(start.elapsed() < Duration::from_secs(60), "still loading {} tiles after a minute", tiles.len());

@@ -11,6 +11,7 @@ pub use tile_range::{Range, TileRange};
 use super::SharedTexels;
 use super::tile::{Layer, MapPoint, Projection, TileId};
 use super::world::{Outcome, World};
+use crate::model::sea_bed::EQUATOR_TEXEL_M;
 use residency::Residency;
 
 /// Slots of each atlas; WebGPU promises 256 layers. 48 MiB each.
@@ -88,12 +89,13 @@ impl Streaming {
         uploads
     }
 
-    /// Asks `world` for what `tiles` and the eye's place (radians) need, and brings the page tables up to date. True when nothing
+    /// Asks `world` for what `tiles` and the eye's place (radians, and metres up) need, and brings the page tables up to date. True when nothing
     /// had to be asked for: all that the world has of them is here.
-    pub fn want(&mut self, world: &mut World, tiles: &[TileId], lat: f64, lon: f64) -> bool {
+    pub fn want(&mut self, world: &mut World, tiles: &[TileId], eye: (f64, f64, f64)) -> bool {
+        let (lat, lon, altitude_m) = eye;
         let mut complete = true;
         // Also what lies under the eye, in view or not: the eye must know its ground.
-        let foot = MapPoint::from_lat_lon(lat, lon).tile(PAGE_LEVELS as u8 - 1);
+        let foot = MapPoint::from_lat_lon(lat, lon).tile(foot_level(altitude_m));
         let mut wanted: Vec<TileId> = tiles.iter().copied().chain([foot]).flat_map(lineage).collect();
         wanted.sort_unstable_by_key(|id| (id.z, id.projection as u8, id.y, id.x));
         wanted.dedup();
@@ -151,6 +153,12 @@ impl Streaming {
     pub fn has_inland(&self, id: TileId) -> bool {
         self.layers[Layer::Water as usize].has_inland(id)
     }
+}
+
+/// How fine an eye's own ground is asked for from a height, metres: with texels of a thousandth of it, and in all its detail near it.
+fn foot_level(altitude_m: f64) -> u8 {
+    let texels = EQUATOR_TEXEL_M / (1e-3 * altitude_m.abs()).max(1.0);
+    libm::log2(texels).clamp(0.0, (PAGE_LEVELS - 1) as f64) as u8
 }
 
 /// A tile and its ancestors.
