@@ -101,6 +101,8 @@ pub struct Renderer {
     /// Map tiles of the ground; `None` from space.
     visible: Option<Vec<DrawnTile>>,
     complete: bool,
+    /// When the last frame had what it needs.
+    loaded_at_s: f64,
     /// Whether the last eye that was asked for knows the level of the water below it.
     knows_ground: bool,
     stages: Stages,
@@ -174,6 +176,7 @@ impl Renderer {
             dispatches: 0,
             visible: None,
             complete: false,
+            loaded_at_s: f64::NEG_INFINITY,
             knows_ground: true,
             stages: Stages::default(),
             gpu,

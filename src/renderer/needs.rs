@@ -3,6 +3,7 @@
 use super::Renderer;
 use super::side::Side;
 use crate::data::exposure::Water;
+use crate::data::fetch::now_s;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::{World, WorldWaters};
@@ -21,6 +22,9 @@ use crate::scene::view::state::ViewState;
 /// Seconds that a frame may spend on finding where land stands in the sea's way, and again on making windows of waves by shores, of a moving
 /// picture and of a still one; a step that has been begun takes as long again.
 const WORK_S: [f64; 2] = [0.003, 0.03];
+/// And shares of the time since the frame before, where that is more, up to so many seconds: where frames take long a shore would be without its surf for minutes.
+const WORK_SHARE: [f64; 2] = [0.2, 0.5];
+const MOST_WORK_S: [f64; 2] = [0.1, 0.5];
 
 /// Half a diagonal of the narrowest cells of hilly ground, metres, and how deep a hollow may be that they span.
 const HALF_CHORD_M: f64 = 6.7;
@@ -33,7 +37,7 @@ impl Renderer {
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
         let camera = &frame.camera;
-        let work_s = WORK_S[usize::from(!self.moving)];
+        let work_s = self.work_s();
         self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
         let is_sheltered = self.shelter(frame, work_s);
@@ -53,7 +57,15 @@ impl Renderer {
         let trains = (side.shows_surf && frame.shows_trains && frame.is_fine(), self.complete);
         let seconds = if self.seas.is_spread() { work_s } else { f64::INFINITY };
         self.complete &= self.shores.prepare(&mut self.world, frame, trains, seconds);
+        self.loaded_at_s = now_s();
         self.complete
+    }
+
+    /// Seconds that this frame may spend on work of one kind.
+    fn work_s(&self) -> f64 {
+        let still = usize::from(!self.moving);
+        let share_s = WORK_SHARE[still] * (now_s() - self.loaded_at_s);
+        share_s.clamp(WORK_S[still], MOST_WORK_S[still])
     }
 
     /// Finds where land stands in the way of a frame's sea; true when that is known.
