@@ -101,8 +101,8 @@ pub struct Renderer {
     /// Map tiles of the ground; `None` from space.
     visible: Option<Vec<DrawnTile>>,
     complete: bool,
-    /// When the last frame had what it needs.
-    loaded_at_s: f64,
+    /// How long pictures take, seconds; 0 where nobody has told.
+    picture_s: f64,
     /// Whether the last eye that was asked for knows the level of the water below it.
     knows_ground: bool,
     stages: Stages,
@@ -176,7 +176,7 @@ impl Renderer {
             dispatches: 0,
             visible: None,
             complete: false,
-            loaded_at_s: f64::NEG_INFINITY,
+            picture_s: 0.0,
             knows_ground: true,
             stages: Stages::default(),
             gpu,
@@ -512,6 +512,11 @@ impl Renderer {
     /// Whether more tiles are on their way, or the sea, its foam or the mesh are still being made: another frame would look different.
     pub fn needs_redraw(&self) -> bool {
         !self.complete || self.is_replaying()
+    }
+
+    /// Tells how long pictures take, seconds: what shores need is made in a share of that.
+    pub fn set_picture_s(&mut self, picture_s: f64) {
+        self.picture_s = picture_s;
     }
 
     /// Tells whether the next frames follow each other: a moving picture must not wait for its foam.

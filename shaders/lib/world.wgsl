@@ -52,8 +52,8 @@ fn level_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> u32 {
 
 const REEFS_SEEN = vec2f(200.0, 800.0);   // widths of pixels between which coral reefs are no longer seen, metres
 
-// Widths of pixels, in cells of the grid, between which its coast is no longer seen to lie apart from the mapped one: wider ones have both, and what vertices tell of cells
-// that lie between them is of none.
+// Widths of pixels, in cells of the grid, from which its own values are trusted again beside a coast that it has elsewhere, and wholly: what pixels have of the cells around
+// them is their vertices', which are then farther apart than cells.
 const COASTS_APART = vec2f(0.06, 0.25);
 
 // What it has around a place, and how far there is a coral reef. It is smooth over kilometres: vertices look it up, pixels interpolate it.

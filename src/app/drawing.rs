@@ -98,6 +98,7 @@ impl Drawing {
     /// Draws what is wished if it differs from the picture and the device is free; `wake` is called when the picture is finished.
     pub fn update(&mut self, wish: &Wish, now: f64, wake: impl FnOnce() + Send + 'static) {
         self.renderer.set_moving(wish.motion == Motion::Moving);
+        self.renderer.set_picture_s(1e-3 * self.picture_ms);
         self.quality = self.effort(wish, wish.motion).quality;
         let settings = self.drawn(&wish.state.settings);
         if !self.has_sea(&settings, wish.motion) || self.is_busy() {

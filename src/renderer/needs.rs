@@ -3,7 +3,6 @@
 use super::Renderer;
 use super::side::Side;
 use crate::data::exposure::Water;
-use crate::data::fetch::now_s;
 use crate::data::sample::Sample;
 use crate::data::tile::{Layer, Projection};
 use crate::data::world::{World, WorldWaters};
@@ -19,12 +18,12 @@ use crate::scene::view::map_tiles::{Hiding, drawn_tiles, wanted_tiles};
 use crate::scene::view::navigate::above_ground;
 use crate::scene::view::state::ViewState;
 
-/// Seconds that a frame may spend on finding where land stands in the sea's way, and again on making windows of waves by shores, of a moving
+/// Seconds that a frame may always spend on finding where land stands in the sea's way, and again on making windows of waves by shores, of a moving
 /// picture and of a still one; a step that has been begun takes as long again.
 const WORK_S: [f64; 2] = [0.003, 0.03];
-/// And shares of the time since the frame before, where that is more, up to so many seconds: where frames take long a shore would be without its surf for minutes.
-const WORK_SHARE: [f64; 2] = [0.2, 0.5];
-const MOST_WORK_S: [f64; 2] = [0.1, 0.5];
+/// Shares of the time that pictures take, which it may spend where that is more, up to so many seconds: where they take long a shore would be without its surf for minutes.
+const WORK_SHARE: [f64; 2] = [0.1, 0.25];
+const MOST_WORK_S: [f64; 2] = [0.05, 0.25];
 
 /// Half a diagonal of the narrowest cells of hilly ground, metres, and how deep a hollow may be that they span.
 const HALF_CHORD_M: f64 = 6.7;
@@ -37,7 +36,7 @@ impl Renderer {
     /// Asks for the tiles that a frame needs; true when all have come (or will never come).
     pub fn load(&mut self, frame: &Frame) -> bool {
         let camera = &frame.camera;
-        let work_s = self.work_s();
+        let work_s = work_s(self.moving, self.picture_s);
         self.tiles.take_tiles(&self.gpu, &self.streaming.receive(&mut self.world));
         let wanted = wanted_tiles(camera, frame.size, &self.streaming);
         let is_sheltered = self.shelter(frame, work_s);
@@ -57,15 +56,7 @@ impl Renderer {
         let trains = (side.shows_surf && frame.shows_trains && frame.is_fine(), self.complete);
         let seconds = if self.seas.is_spread() { work_s } else { f64::INFINITY };
         self.complete &= self.shores.prepare(&mut self.world, frame, trains, seconds);
-        self.loaded_at_s = now_s();
         self.complete
-    }
-
-    /// Seconds that this frame may spend on work of one kind.
-    fn work_s(&self) -> f64 {
-        let still = usize::from(!self.moving);
-        let share_s = WORK_SHARE[still] * (now_s() - self.loaded_at_s);
-        share_s.clamp(WORK_S[still], MOST_WORK_S[still])
     }
 
     /// Finds where land stands in the way of a frame's sea; true when that is known.
@@ -173,5 +164,25 @@ impl Renderer {
             OVER_BED_M - depth_m
         };
         Camera { altitude_m: ridden.altitude_m.max(lowest_m), ..ridden }
+    }
+}
+
+/// Seconds that a frame may spend on work of one kind, where pictures take `picture_s`.
+fn work_s(moving: bool, picture_s: f64) -> f64 {
+    let still = usize::from(!moving);
+    (WORK_SHARE[still] * picture_s).clamp(WORK_S[still], MOST_WORK_S[still])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::work_s;
+
+    #[test]
+    fn slow_pictures_leave_more_time_for_work_and_quick_ones_no_less() {
+        let of = |picture_s| [work_s(true, picture_s), work_s(false, picture_s)];
+        assert_eq!(of(0.0), [0.003, 0.03]);
+        assert_eq!(of(0.016), [0.003, 0.03], "as long as ever on a graphics card");
+        assert_eq!(of(0.25), [0.025, 0.0625], "a tenth and a quarter");
+        assert_eq!(of(f64::INFINITY), [0.05, 0.25]);
     }
 }

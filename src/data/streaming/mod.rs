@@ -155,7 +155,7 @@ impl Streaming {
     }
 }
 
-/// How fine an eye's own ground is asked for from a height, metres: with texels of a thousandth of it, and in all its detail near it.
+/// How fine an eye's own ground is asked for from a height, metres: with texels of one to two thousandths of it, and in all its detail near it.
 fn foot_level(altitude_m: f64) -> u8 {
     let texels = EQUATOR_TEXEL_M / (1e-3 * altitude_m.abs()).max(1.0);
     libm::log2(texels).clamp(0.0, (PAGE_LEVELS - 1) as f64) as u8
@@ -164,4 +164,21 @@ fn foot_level(altitude_m: f64) -> u8 {
 /// A tile and its ancestors.
 fn lineage(id: TileId) -> impl Iterator<Item = TileId> {
     std::iter::successors(Some(id), |id| id.parent())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ground_below_an_eye_is_asked_for_as_fine_as_it_is_high() {
+        let finest = PAGE_LEVELS as u8 - 1;
+        assert_eq!([-11e3, 0.0, 2.0, 560.0].map(foot_level), [finest; 4], "in the sea, at the deck and over the coast");
+        // Eyes below 50 km are told the level of inland water, by water tiles, whose finest are of level 8.
+        assert!(foot_level(50e3) > 8);
+        for altitude_m in [1e5, 1e6, 1.15e7, 3e7] {
+            let texels_m = EQUATOR_TEXEL_M / f64::from(1u32 << foot_level(altitude_m));
+            assert!((1e-3..=2e-3).contains(&(texels_m / altitude_m)), "{altitude_m} m up texels are {texels_m} m wide");
+        }
+    }
 }
