@@ -7,7 +7,8 @@
 //!  the grid _____.-'          d distance to the shore, h depth, R width of the grid's cells
 //! ```
 //! Elevation grids are minutes of arc wide, the shoreline is known to hundreds of metres. Near the shore the grid's cell mixes land and sea, so
-//! its value is trusted only from one cell's width on, and where no cell about it is dry (shaders trust it there in pixels a quarter of a cell wide, too). Closer, the bed is the profile that waves give to sand
+//! its value is trusted only from one cell's width on, and where no cell about it is dry (in pixels from a quarter of a cell on shaders trust it all
+//! the same: `COASTS_APART` in `shaders/lib/world.wgsl`). Closer, the bed is the profile that waves give to sand
 //! ([Dean](crate::bibliography::Dean1991)): its A follows from the depth that the grid has off the coast, the grains from A, and the slope m of
 //! the beach from the grains ([Sunamura](crate::bibliography::Sunamura1984)) under the waves of a usual climate, never those of the wind of the day. High
 //! land and deep sea beside a coast make it steeper: rock, and no beach. `shaders/lib/shore_shape.wgsl` does the same in 32 bits.

@@ -42,8 +42,7 @@ impl Renderer {
         let is_sheltered = self.shelter(frame, work_s);
         // An eye that does not know yet at what level the lake below it lies is not where it will be.
         let is_settled = is_sheltered && self.knows_ground;
-        let eye = (camera.lat, camera.lon, camera.altitude_m);
-        self.complete = self.streaming.want(&mut self.world, &wanted, eye) && is_settled;
+        self.complete = self.streaming.want(&mut self.world, &wanted, camera.geodetic()) && is_settled;
         self.tiles.take_pages(&self.gpu, &mut self.streaming.pages);
         let hiding = self.hiding(frame);
         self.visible = (!frame.is_globe()).then(|| {

@@ -23,7 +23,7 @@ fn load(streaming: &mut Streaming, world: &mut World, camera: &Camera) {
     loop {
         streaming.receive(world);
         let wanted = wanted_tiles(camera, SIZE, streaming);
-        if streaming.want(world, &wanted, (camera.lat, camera.lon, camera.altitude_m)) {
+        if streaming.want(world, &wanted, camera.geodetic()) {
             return;
         }
         assert!(start.elapsed() < Duration::from_secs(60), "still loading after a minute");
@@ -56,14 +56,15 @@ fn more_tiles_than_there_is_room_for_are_loaded_as_far_as_there_is() {
     let (mut streaming, mut world) = (Streaming::default(), World::open(DATA));
     // The roots of all maps have been seen, and stay.
     let roots = Projection::ALL.map(|projection| TileId { projection, z: 0, x: 0, y: 0 });
-    let home = MapPoint::from_lat_lon(0.8, 0.15);
+    let eye = Geodetic { lat: 0.8, lon: 0.15, height: 100.0 };
+    let home = MapPoint::from_lat_lon(eye.lat, eye.lon);
     let deep = home.tile(7);
     let many: Vec<_> = (0..400).map(|i| TileId { x: deep.x - 10 + i % 20, y: deep.y - 10 + i / 20, ..deep }).collect();
     let start = Instant::now();
     for tiles in [&roots[..], &many[..]] {
         loop {
             streaming.receive(&mut world);
-            if streaming.want(&mut world, tiles, (0.8, 0.15, 100.0)) {
+            if streaming.want(&mut world, tiles, eye) {
                 break;
             }
             assert!(start.elapsed() < Duration::from_secs(60), "still loading {} tiles after a minute", tiles.len());

@@ -11,6 +11,7 @@ pub use tile_range::{Range, TileRange};
 use super::SharedTexels;
 use super::tile::{Layer, MapPoint, Projection, TileId};
 use super::world::{Outcome, World};
+use crate::model::earth::Geodetic;
 use crate::model::sea_bed::EQUATOR_TEXEL_M;
 use residency::Residency;
 
@@ -89,13 +90,13 @@ impl Streaming {
         uploads
     }
 
-    /// Asks `world` for what `tiles` and the eye's place (radians, and metres up) need, and brings the page tables up to date. True when nothing
+    /// Asks `world` for what `tiles` and the eye's place need, and brings the page tables up to date. True when nothing
     /// had to be asked for: all that the world has of them is here.
-    pub fn want(&mut self, world: &mut World, tiles: &[TileId], eye: (f64, f64, f64)) -> bool {
-        let (lat, lon, altitude_m) = eye;
+    pub fn want(&mut self, world: &mut World, tiles: &[TileId], eye: Geodetic) -> bool {
+        let Geodetic { lat, lon, height } = eye;
         let mut complete = true;
         // Also what lies under the eye, in view or not: the eye must know its ground.
-        let foot = MapPoint::from_lat_lon(lat, lon).tile(foot_level(altitude_m));
+        let foot = MapPoint::from_lat_lon(lat, lon).tile(foot_level(height));
         let mut wanted: Vec<TileId> = tiles.iter().copied().chain([foot]).flat_map(lineage).collect();
         wanted.sort_unstable_by_key(|id| (id.z, id.projection as u8, id.y, id.x));
         wanted.dedup();
