@@ -356,7 +356,7 @@ impl Frame {
     /// vertices, is not the globe's: it changes where pixels are wider than any summit is high, as measured layers do, which tell heights.
     pub fn is_globe(&self) -> bool {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-        let highest_m = if self.is_fine() && self.has_light() {
+        let highest_m = if self.has_light() {
             (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M)
         } else {
             RELIEF_M
