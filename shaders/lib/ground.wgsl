@@ -61,6 +61,10 @@ const ROCK_STREAKS = 0.7;        // and those of what has run down over them
 const WOODS_ROUGH = 0.25;        // slopes of woods' tops over tens of metres
 const HOT_SPOT = 0.45;           // how much of the light is lost to shadows that woods cast on themselves; none as satellites see
 const HOT_SPOT_MEAN = 0.75;      // them, from above with a sun 30° from the zenith
+const SNOW = vec3f(0.74, 0.76, 0.72);
+const THAWED = vec3f(0.085, 0.095, 0.055);         // what lies below it
+const SNOW_THAWS: Metres = 400.0;                  // it lies as where the relief tells from this height on
+const SNOW_SEEN = vec2f(150.0, 700.0);             // widths of pixels between which the relief is no longer seen, metres
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
 // How wide a pixel is on ground that is seen aslant.
@@ -116,6 +120,15 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grai
     return Grain(on_map * found.tone, on_map * found.slope);
 }
 
+// Imagery has mountains under as much white as there is snow in pixels of kilometres: it lies on their heights first, and thaws in their valleys and down by the water.
+fn snow_lies(albedo: vec3f, elevation: Metres, hollow: f32) -> vec3f {
+    let share = saturate((albedo.b - THAWED.b) / (SNOW.b - THAWED.b));
+    // Of all heights of a country so many are lower: they are nearly normal, of a deviation of 0.4.
+    let low = 1.0 / (1.0 + exp(4.3 * hollow)) + 0.5 * smoothstep(SNOW_THAWS, 0.0, elevation);
+    let snowy = smoothstep(0.15, 0.35, share);
+    return mix(albedo, mix(THAWED, SNOW, smoothstep(share + 0.12, share - 0.12, low)), snowy * smoothstep(1.0, 0.9, share));
+}
+
 // `direction`: of the sight; `lies`: the normal of what is drawn, which knows less of the relief; `width`: of the pixel towards the shore; `washed`: how far waves run up the shore; nothing grows there.
 fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Metres, width: Metres, made: Made, light: Daylight, washed: Metres) -> LitGround {
     let point = at.point;
@@ -167,6 +180,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(growth * across), rocky); }
     if IMAGERY && !is_apart {
         albedo = imagery_albedo(point, sin_lat, footprint);
+        if FINE { albedo = mix(albedo, snow_lies(albedo, ground.elevation, made.hollow), made.about * smoothstep(SNOW_SEEN.y, SNOW_SEEN.x, footprint)); }
         let snowy = smoothstep(0.3, 0.6, albedo.b);
         sandy *= 1.0 - snowy;
         sand = mix(sand, albedo, snowy);

@@ -162,10 +162,10 @@ fn relief_place(dn: vec3f) -> vec3u {
 }
 
 // Height over the data's, and slope east and north, metres a metre. `hollow`: from -1 in valleys to 1 on summits. `whole`: 1 where the relief is
-// that of hills or more, 0 on plains. `towers`: how far it is of towers of limestone; `carved`: of a volcano's valleys.
-struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32, towers: f32, carved: f32 }
+// that of hills or more, 0 on plains. `towers`: how far it is of towers of limestone; `carved`: of a volcano's valleys; `about`: `whole` of the country about it, down to its shores.
+struct Made { height: Metres, slope: vec2f, hollow: f32, whole: f32, towers: f32, carved: f32, about: f32 }
 
-const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0);
+const NO_RELIEF = Made(0.0, vec2f(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
 
 // The relief of the ground at a place as one sees it who sees no smaller than `footprint`.
 fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, ground: Ground, footprint: Metres) -> Made {
@@ -196,5 +196,5 @@ fn made_relief(country: Country, point: MapPoint, dn: vec3f, sin_lat: f32, groun
     let up_drowned = rises * (drowned.y * east_north_of(point, ground.shore_rise * vec2f(-1.0, 1.0)) + by_towers);
     let slope = part * part * vec2f(dot(found.slope, east), dot(found.slope, north)) + lifted + up_drowned;
     return Made(lift.x + drowned.x + found.height * part, slope, clamp(found.height / (strong + 1.0), -1.0, 1.0),
-        smoothstep(0.0, RELIEF_GULLIED, strong), towers_share(country.drowned, sin_lat), carved);
+        smoothstep(0.0, RELIEF_GULLIED, strong), towers_share(country.drowned, sin_lat), carved, far_from_seam(sin_lat) * smoothstep(0.0, RELIEF_GULLIED, country.raw));
 }

@@ -46,7 +46,10 @@ fn shaped_elevation(elevation: Metres, coast: Coast, ocean_shore: Metres) -> Met
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     let w = smoothstep(0.1 * trusted, trusted, d);
     let near = min(bed_steeper() * profile_depth(coast, d), coast.deepest);
-    let far = max(mix(coast.far, -elevation, w * (1.0 - w * w * w * (1.0 - coast.trust))), coast.least);
+    let is_lands = 1.0 - smoothstep(BED_OWN, BED_ALL_OWN, -elevation / max(coast.far, 1.0));
+    let beside_land = is_lands * (1.0 - smoothstep(trusted, BED_BESIDE * trusted, d));
+    let own = w * (1.0 - w * w * w * (1.0 - coast.trust)) * (1.0 - beside_land);
+    let far = max(mix(coast.far, -elevation, own), coast.least);
     let depth = select(far, near * pow(far / max(near, 0.1), w), w < 1.0);
     let scaled = elevation * smoothstep(0.0, frame.terrain_resolution / 3.0, d);
     let berm = min(bed_steeper() * coast.m * d, BERM * smoothstep(0.0, 1.0, elevation));

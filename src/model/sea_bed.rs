@@ -41,6 +41,10 @@ pub const SAND: [f64; 2] = [0.05, 0.25];
 /// Shares of the grid's wet values about a place of the sea from which its own elevation is trusted, and is without reserve: where dry ones are beside
 /// it grids have a coast that lies elsewhere, and between them and the deep an arc of shallows that are none.
 pub const WET: [f64; 2] = [0.8, 1.0];
+/// Parts of the depth about a place from which, and wholly, the grid's own depth there counts: shallower, it is one between the sea's and a cliff's.
+pub const OWN: [f64; 2] = [0.05, 0.25];
+/// So many cells from the shore it does so whatever it is: no value of land reaches farther.
+pub const BESIDE: f64 = 1.5;
 /// No farther from a shore the profile has a say, metres, however coarse the grid is.
 pub const WIDEST_M: f64 = 20_000.0;
 /// Slope of a coast, from the shore to a cell off it, at which its A is twice that of sand: rock begins to show through.
@@ -174,7 +178,9 @@ impl Coast {
         let trusted_m = trusted_m(resolution_m);
         let w = smoothstep(0.1 * trusted_m, trusted_m, d);
         // Nearer, the place's own value is partly land, and so it is far from the shore where the grid has a coast all the same.
-        let own = w * (1.0 - w * w * w * (1.0 - self.trust));
+        let is_lands = 1.0 - smoothstep(OWN[0], OWN[1], -elevation_m / self.far_m.max(1.0));
+        let beside_land = is_lands * (1.0 - smoothstep(trusted_m, BESIDE * trusted_m, d));
+        let own = w * (1.0 - w * w * w * (1.0 - self.trust)) * (1.0 - beside_land);
         let far_m = (self.far_m + (-elevation_m - self.far_m) * own).max(self.least_m);
         if w >= 1.0 {
             return far_m;

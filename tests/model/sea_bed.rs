@@ -45,6 +45,23 @@ fn a_coast_that_the_grid_has_elsewhere_makes_no_shallows() {
 }
 
 #[test]
+fn values_between_a_high_coast_and_the_deep_make_no_shallows() {
+    // All cells around are 500 m deep; what lies between the nearest texels, of which one is land's, is land, or next to no water.
+    let depth = |elevation: f64, d: f64| -shaped_on(elevation, Grid::level(-500.0), d, [R, USUAL_SLOPE], 0.0);
+    for share in [0.5, 0.7, 0.9, 1.0] {
+        for elevation in [300.0, 0.0, -20.0] {
+            let found = depth(elevation, share * R);
+            // As deep as where the sea alone is between them.
+            assert!((found - depth(-500.0, share * R)).abs() < 1e-9, "{share} {elevation}: {found}");
+        }
+    }
+    // From a quarter of the depth on it is the sea's own, and so is all from a cell and a half on.
+    assert!((depth(-130.0, R) - 130.0).abs() < 1e-9 && (depth(-20.0, 1.5 * R) - 20.0).abs() < 1e-9);
+    let depths: Vec<_> = (0..=60).map(|step| depth(-20.0, (0.8 + 0.8 * f64::from(step) / 60.0) * R)).collect();
+    assert!(depths.windows(2).all(|d| (d[0] - d[1]).abs() < 25.0), "{depths:?}");
+}
+
+#[test]
 fn the_formula_at_hand() {
     // 50 m deep off low land: A = 0.1 (50/50 (9277/9000)^⅔)^⅓ = 0.100676, m = 0.0409 + 0.304 A; rock adds (50/774)² = 0.42 %.
     let found = coast(50.0, 0.0);

@@ -356,11 +356,7 @@ impl Frame {
     /// vertices, is not the globe's: it changes where pixels are wider than any summit is high, as measured layers do, which tell heights.
     pub fn is_globe(&self) -> bool {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
-        let highest_m = if self.has_light() {
-            (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M)
-        } else {
-            RELIEF_M
-        };
+        let highest_m = if self.has_light() { (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M) } else { RELIEF_M };
         self.uniform.layers & all == all
             && self.camera.altitude_m > LOWEST_GLOBE_M
             && nearest_pixel_m(&self.uniform, &self.camera) > highest_m
