@@ -74,8 +74,9 @@ fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ocean = ocean_share(ground, width);
     let depth = ocean_depth(ground, ground_across, ocean);
     let grazing = max(abs(dot(direction, up)), 0.002);
-    // The waves of what the pixel shows, the ocean or a lake.
-    let sea = local_water(point, select(OF_LAKE, OF_OCEAN, ocean > 0.0));
+    // The waves of what the pixel shows, the ocean or a lake; in a coarse picture lakes have the ocean's, as nearer.
+    var sea = local_water(point, select(OF_LAKE, OF_OCEAN, ocean > 0.0));
+    if !FINE && ocean <= 0.0 { sea = OPEN_SEA; }
     let lake = on_river(sea, ground);
     let lake_height = min(lake.height, 1.0);
     let lake_share = lake_height * share_from_afar(0.0, 1.0, ground_across);

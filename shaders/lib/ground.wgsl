@@ -64,6 +64,8 @@ const HOT_SPOT_MEAN = 0.75;      // them, from above with a sun 30° from the ze
 const SNOW = vec3f(0.74, 0.76, 0.72);
 const THAWED = vec3f(0.085, 0.095, 0.055);         // what lies below it
 const SNOW_THAWS: Metres = 400.0;                  // it lies as where the relief tells from this height on
+const ICY_COASTS = vec4f(-0.809, -0.719, 0.927, 0.951);      // sines of 54° and 46° south, of 68° and 72° north: coasts beyond have ice down to the sea
+const NOT_WHITE = vec2f(0.6, 0.8);                 // of blue's albedo over red's
 const SNOW_SEEN = vec2f(150.0, 700.0);             // widths of pixels between which the relief is no longer seen, metres
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
@@ -120,12 +122,14 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grai
     return Grain(on_map * found.tone, on_map * found.slope);
 }
 
-// Imagery has mountains under as much white as there is snow in pixels of kilometres: it lies on their heights first, and thaws in their valleys and down by the water.
-fn snow_lies(albedo: vec3f, elevation: Metres, hollow: f32) -> vec3f {
+// Imagery has mountains under as much white as there is snow in pixels of kilometres: it lies on their heights first, and thaws in their valleys and down by the water, where
+// this is not frozen. Deserts are bright, and not white; ice is white as a whole.
+fn snow_lies(albedo: vec3f, elevation: Metres, hollow: f32, sin_lat: f32) -> vec3f {
     let share = saturate((albedo.b - THAWED.b) / (SNOW.b - THAWED.b));
+    let thaws = 0.5 * smoothstep(SNOW_THAWS, 0.0, elevation) * smoothstep(ICY_COASTS.x, ICY_COASTS.y, sin_lat) * smoothstep(ICY_COASTS.w, ICY_COASTS.z, sin_lat);
     // Of all heights of a country so many are lower: they are nearly normal, of a deviation of 0.4.
-    let low = 1.0 / (1.0 + exp(4.3 * hollow)) + 0.5 * smoothstep(SNOW_THAWS, 0.0, elevation);
-    let snowy = smoothstep(0.15, 0.35, share);
+    let low = 1.0 / (1.0 + exp(4.3 * hollow)) + thaws;
+    let snowy = smoothstep(0.15, 0.35, share) * smoothstep(NOT_WHITE.x, NOT_WHITE.y, albedo.b / max(albedo.r, 1e-3));
     return mix(albedo, mix(THAWED, SNOW, smoothstep(share + 0.12, share - 0.12, low)), snowy * smoothstep(1.0, 0.9, share));
 }
 
@@ -179,8 +183,9 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     let growth = min(footprint, ground_footprint(across, direction, lies));
     if FINE && GROWTH && !is_apart { grain = grain_at(point, part, sqrt(growth * across), rocky); }
     if IMAGERY && !is_apart {
-        albedo = imagery_albedo(point, sin_lat, footprint);
-        if FINE { albedo = mix(albedo, snow_lies(albedo, ground.elevation, made.hollow), made.about * smoothstep(SNOW_SEEN.y, SNOW_SEEN.x, footprint)); }
+        let told = imagery_albedo(point, sin_lat, footprint);
+        albedo = told;
+        if FINE { albedo = mix(told, snow_lies(told, ground.elevation, made.hollow, sin_lat), made.about * smoothstep(SNOW_SEEN.y, SNOW_SEEN.x, footprint)); }
         let snowy = smoothstep(0.3, 0.6, albedo.b);
         sandy *= 1.0 - snowy;
         sand = mix(sand, albedo, snowy);
@@ -190,7 +195,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
             var detail = NO_DETAIL;
             if DETAIL { detail = ground_detail(point.at, growth); }
             let green = greenness(albedo);
-            let farm = farmed(albedo, green, length(terrain), ground.elevation, sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
+            let farm = farmed(told, greenness(told), length(terrain), ground.elevation, sin_lat, detail.tillage) * smoothstep(FARMED_FROM.x, FARMED_FROM.y, -ground.ocean_shore) * (1.0 - built.within);
             // What stands on a slope stands upright: a sight and the sun's light sink to that, not to the level.
             let raised = lies / max(dot(lies, up), 0.1);
             let sinks = max(-dot(direction, raised), LEAST_SINKING);

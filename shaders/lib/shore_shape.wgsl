@@ -5,6 +5,9 @@
 // What one value of the grid tells: elevation, depth where it is wet, whether it is. Interpolated: what the grid's cells around a place have.
 fn grid_value(elevation: Metres) -> vec3f { return vec3f(elevation, max(-elevation, 0.0), select(0.0, 1.0, elevation < 0.0)); }
 
+// Elevation of a place so far in the ocean around which the nearest texels have so much: there of the wet ones alone.
+fn elevation_in(grid: vec3f, ocean_shore: Metres) -> Metres { return select(grid.x, -grid.y / max(grid.z, BED_LEAST_SHARE), ocean_shore > 0.0); }
+
 // A of Dean's profile and slope at the waterline; 0 a beach, 1 a cliff or a front of ice; how deep the profile goes, and the water off the coast, and that at least; how far
 // the grid's own values are trusted far from the shore.
 struct Coast { a: f32, m: f32, cliff: f32, deepest: Metres, far: Metres, least: Metres, trust: f32 }
@@ -46,10 +49,7 @@ fn shaped_elevation(elevation: Metres, coast: Coast, ocean_shore: Metres) -> Met
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     let w = smoothstep(0.1 * trusted, trusted, d);
     let near = min(bed_steeper() * profile_depth(coast, d), coast.deepest);
-    let is_lands = 1.0 - smoothstep(BED_OWN, BED_ALL_OWN, -elevation / max(coast.far, 1.0));
-    let beside_land = is_lands * (1.0 - smoothstep(trusted, BED_BESIDE * trusted, d));
-    let own = w * (1.0 - w * w * w * (1.0 - coast.trust)) * (1.0 - beside_land);
-    let far = max(mix(coast.far, -elevation, own), coast.least);
+    let far = max(mix(coast.far, -elevation, w * (1.0 - w * w * w * (1.0 - coast.trust))), coast.least);
     let depth = select(far, near * pow(far / max(near, 0.1), w), w < 1.0);
     let scaled = elevation * smoothstep(0.0, frame.terrain_resolution / 3.0, d);
     let berm = min(bed_steeper() * coast.m * d, BERM * smoothstep(0.0, 1.0, elevation));

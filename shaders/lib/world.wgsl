@@ -69,7 +69,7 @@ fn grid_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> vec4f {
 // The ground at a place, around which the grid has so much.
 fn ground_amid(point: MapPoint, sin_lat: f32, footprint: Metres, grid: vec4f) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
-    return ground_of(point, sin_lat, found.water, bilinear(false, point, found.terrain).x, grid.xyz, footprint, grid.w * smoothstep(REEFS_SEEN.y, REEFS_SEEN.x, footprint));
+    return ground_of(point, sin_lat, found.water, grid_of(texels_around(false, point, found.terrain)), grid.xyz, footprint, grid.w * smoothstep(REEFS_SEEN.y, REEFS_SEEN.x, footprint));
 }
 
 fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
@@ -79,11 +79,12 @@ fn ground_at(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
 // Where pixels are as wide as the grid's cells, so that these are the terrain's texels.
 fn ground_from_afar(point: MapPoint, sin_lat: f32, footprint: Metres) -> Ground {
     let found = pages_at(point, level_at(point, sin_lat, footprint));
-    let cells = texels_around(false, point, found.terrain);
-    return ground_of(point, sin_lat, found.water, amid(cells).x, grid_of(cells), footprint, 0.0);
+    let cells = grid_of(texels_around(false, point, found.terrain));
+    return ground_of(point, sin_lat, found.water, cells, cells, footprint, 0.0);
 }
 
-fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres, grid: vec3f, footprint: Metres, reefs: f32) -> Ground {
+// `nearest`: what the nearest texels have; `grid`: what the grid's cells have.
+fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, nearest: vec3f, grid: vec3f, footprint: Metres, reefs: f32) -> Ground {
     var coast = coast_of(grid, sin_lat);
     coast.trust = max(coast.trust, smoothstep(COASTS_APART.x, COASTS_APART.y, footprint / max(frame.terrain_resolution, 1.0)));
     let water = shores_around(point, water_page);
@@ -91,9 +92,9 @@ fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, elevation: Metres,
     var shores = water.told.xy * texel;
     // Without any water tile the sign of the elevation tells sea from land.
     if water_page.layer == 0u {
-        shores = vec2f(select(-1e6, 1e6, elevation <= 0.0), -1e6);
+        shores = vec2f(select(-1e6, 1e6, nearest.x <= 0.0), -1e6);
     }
-    let plain = shaped_elevation(elevation, coast, shores.x);
+    let plain = shaped_elevation(elevation_in(nearest, shores.x), coast, shores.x);
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     // Waves that run up a lagoon's beach are the lagoon's.
     let none = !REEFS | (reefs <= 0.0) | (shores.x < -REEFS_ASHORE) | (shores.x > trusted);

@@ -128,8 +128,10 @@ pub fn sample(
         _ if marks & ON_ISLAND != 0 => WaterClass::Island,
         _ => WaterClass::Land,
     };
+    let Some(nearest) = map.grid(point, terrain_level, terrain_level)? else { return Ok(None) };
     let Some(grid) = map.grid(point, grid_level(terrain.resolution_m), terrain_level)? else { return Ok(None) };
-    let measured_m = shaped_on(raw_m, grid, ocean_m, [terrain.resolution_m, terrain.beach_slope], libm::sin(lat));
+    let elevation_m = nearest.elevation_at(ocean_m);
+    let measured_m = shaped_on(elevation_m, grid, ocean_m, [terrain.resolution_m, terrain.beach_slope], libm::sin(lat));
     let stands = stands.filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let shaped = |stands: Stands| lakes::shaped(measured_m, lake_m, stands.level_m, stands.margin_for(by_river));
     let elevation_measured_m = stands.map_or(measured_m, shaped);

@@ -8,7 +8,7 @@
 //! ```
 //! Elevation grids are minutes of arc wide, the shoreline is known to hundreds of metres. Near the shore the grid's cell mixes land and sea, so
 //! its value is trusted only from one cell's width on, and where no cell about it is dry (in pixels from a quarter of a cell on shaders trust it all
-//! the same: `COASTS_APART` in `shaders/lib/world.wgsl`). Closer, the bed is the profile that waves give to sand
+//! the same: `COASTS_APART` in `shaders/lib/world.wgsl`); and in the sea it is that of wet texels alone. Closer, the bed is the profile that waves give to sand
 //! ([Dean](crate::bibliography::Dean1991)): its A follows from the depth that the grid has off the coast, the grains from A, and the slope m of
 //! the beach from the grains ([Sunamura](crate::bibliography::Sunamura1984)) under the waves of a usual climate, never those of the wind of the day. High
 //! land and deep sea beside a coast make it steeper: rock, and no beach. `shaders/lib/shore_shape.wgsl` does the same in 32 bits.
@@ -41,10 +41,6 @@ pub const SAND: [f64; 2] = [0.05, 0.25];
 /// Shares of the grid's wet values about a place of the sea from which its own elevation is trusted, and is without reserve: where dry ones are beside
 /// it grids have a coast that lies elsewhere, and between them and the deep an arc of shallows that are none.
 pub const WET: [f64; 2] = [0.8, 1.0];
-/// Parts of the depth about a place from which, and wholly, the grid's own depth there counts: shallower, it is one between the sea's and a cliff's.
-pub const OWN: [f64; 2] = [0.05, 0.25];
-/// So many cells from the shore it does so whatever it is: no value of land reaches farther.
-pub const BESIDE: f64 = 1.5;
 /// No farther from a shore the profile has a say, metres, however coarse the grid is.
 pub const WIDEST_M: f64 = 20_000.0;
 /// Slope of a coast, from the shore to a cell off it, at which its A is twice that of sand: rock begins to show through.
@@ -100,6 +96,12 @@ impl Grid {
     /// Depth of the sea around, metres.
     pub fn sea_m(self) -> f64 {
         self.depth_m / self.wet.max(LEAST_SHARE)
+    }
+
+    /// Elevation, metres, of a place so far from the ocean's shore, metres, positive in the ocean, where the four are the nearest values: there of the wet ones alone. Between a high coast and
+    /// the deep lie values of neither, a texel off the shore, which would be an arc of shallows.
+    pub fn elevation_at(self, ocean_shore_m: f64) -> f64 {
+        if ocean_shore_m > 0.0 { -self.sea_m() } else { self.elevation_m }
     }
 
     /// Height of the land around, metres.
@@ -178,9 +180,7 @@ impl Coast {
         let trusted_m = trusted_m(resolution_m);
         let w = smoothstep(0.1 * trusted_m, trusted_m, d);
         // Nearer, the place's own value is partly land, and so it is far from the shore where the grid has a coast all the same.
-        let is_lands = 1.0 - smoothstep(OWN[0], OWN[1], -elevation_m / self.far_m.max(1.0));
-        let beside_land = is_lands * (1.0 - smoothstep(trusted_m, BESIDE * trusted_m, d));
-        let own = w * (1.0 - w * w * w * (1.0 - self.trust)) * (1.0 - beside_land);
+        let own = w * (1.0 - w * w * w * (1.0 - self.trust));
         let far_m = (self.far_m + (-elevation_m - self.far_m) * own).max(self.least_m);
         if w >= 1.0 {
             return far_m;
@@ -197,7 +197,7 @@ pub fn shaped_elevation(elevation_m: f64, ocean_shore_m: f64, resolution_m: f64)
 
 /// Elevation in metres, shaped so that it is below zero in the ocean and meets zero at the shore.
 ///
-/// * `elevation_m`: the grid's value.
+/// * `elevation_m`: the grid's value, as [`Grid::elevation_at`] has it.
 /// * `grid`: what it has around the place, of the level of [`grid_level`].
 /// * `ocean_shore_m`: signed distance to the ocean's shore, positive in the ocean.
 /// * `resolution_m`: how wide a cell of the elevation's source is.

@@ -46,19 +46,21 @@ fn a_coast_that_the_grid_has_elsewhere_makes_no_shallows() {
 
 #[test]
 fn values_between_a_high_coast_and_the_deep_make_no_shallows() {
-    // All cells around are 500 m deep; what lies between the nearest texels, of which one is land's, is land, or next to no water.
-    let depth = |elevation: f64, d: f64| -shaped_on(elevation, Grid::level(-500.0), d, [R, USUAL_SLOPE], 0.0);
-    for share in [0.5, 0.7, 0.9, 1.0] {
-        for elevation in [300.0, 0.0, -20.0] {
-            let found = depth(elevation, share * R);
-            // As deep as where the sea alone is between them.
-            assert!((found - depth(-500.0, share * R)).abs() < 1e-9, "{share} {elevation}: {found}");
-        }
-    }
-    // From a quarter of the depth on it is the sea's own, and so is all from a cell and a half on.
-    assert!((depth(-130.0, R) - 130.0).abs() < 1e-9 && (depth(-20.0, 1.5 * R) - 20.0).abs() < 1e-9);
-    let depths: Vec<_> = (0..=60).map(|step| depth(-20.0, (0.8 + 0.8 * f64::from(step) / 60.0) * R)).collect();
-    assert!(depths.windows(2).all(|d| (d[0] - d[1]).abs() < 25.0), "{depths:?}");
+    // A texel of land beside three that are 600 m deep, from its middle to theirs, a cell off the shore as it is mapped: between them is the sea's level.
+    let depths: Vec<f64> = (0..=40)
+        .map(|step| {
+            let nearest = Grid::between([500.0, -600.0, -600.0, -600.0], [0.2 + f64::from(step) / 50.0, 0.2]);
+            -shaped_on(nearest.elevation_at(R), Grid::level(-600.0), R, [R, USUAL_SLOPE], 0.0)
+        })
+        .collect();
+    assert!(depths.iter().all(|depth| (depth - 600.0).abs() < 1e-9), "{depths:?}");
+    // A bank in the same deep is one, and on land a basin stays.
+    let bank = Grid::level(-5.0).elevation_at(R);
+    assert_eq!(shaped_on(bank, Grid::level(-600.0), R, [R, USUAL_SLOPE], 0.0), -5.0);
+    assert_eq!(Grid::between([-400.0, 30.0, -400.0, 30.0], [0.5, 0.5]).elevation_at(-R), -185.0);
+    // Where none is wet there is the least of water, as between those of which some are.
+    let [dry, nearly] = [0.0, 1e-9].map(|on| Grid::between([500.0, -600.0, 500.0, -600.0], [on, 0.5]).elevation_at(R));
+    assert!((dry - nearly).abs() < 1e-5, "{dry} {nearly}");
 }
 
 #[test]

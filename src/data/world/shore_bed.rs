@@ -82,7 +82,7 @@ impl World {
                 });
                 let elevation = terrain[at].as_ref().map_or(0.0, |(id, texels)| {
                     let (values, at) = around(*id, texels, map_x, map_y);
-                    between(values, at)
+                    Grid::between(values, at).elevation_at(shore)
                 });
                 let grid = coarse[at].as_ref().map_or(Grid::level(elevation), |(id, texels)| {
                     let (values, at) = around(*id, texels, map_x, map_y);

@@ -352,8 +352,8 @@ impl Frame {
     }
 
     /// Whether the whole globe is seen from space: below the eye the picture's middle pixel would be wider than the highest summit in view is high,
-    /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide. A coarse picture's sea, whose light is that of
-    /// vertices, is not the globe's: it changes where pixels are wider than any summit is high, as measured layers do, which tell heights.
+    /// the ellipsoid is all of its shape, and no layer is left out. A wide picture's corners have pixels half as wide. Measured layers, which tell heights, change
+    /// where pixels are wider than any summit is high.
     pub fn is_globe(&self) -> bool {
         let all = SHOWS_LAND | SHOWS_SEA | SHOWS_SKY;
         let highest_m = if self.has_light() { (SUMMITS * self.highest_in_view_m).max(GLOBE_FROM_M) } else { RELIEF_M };
