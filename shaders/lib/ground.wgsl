@@ -66,6 +66,7 @@ const THAWED = vec3f(0.085, 0.095, 0.055);         // what lies below it
 const SNOW_THAWS: Metres = 400.0;                  // it lies as where the relief tells from this height on
 const ICY_COASTS = vec4f(-0.809, -0.719, 0.927, 0.951);      // sines of 54° and 46° south, of 68° and 72° north: coasts beyond have ice down to the sea
 const NOT_WHITE = vec2f(0.6, 0.8);                 // of blue's albedo over red's
+const SNOW_EDGE = 0.2;                             // how gradually it ends, of all heights
 const SNOW_SEEN = vec2f(150.0, 700.0);             // widths of pixels between which the relief is no longer seen, metres
 const HOLLOW = 0.6;              // of the sky's light, that the deepest valleys lack; ours
 
@@ -124,13 +125,15 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grai
 
 // Imagery has mountains under as much white as there is snow in pixels of kilometres: it lies on their heights first, and thaws in their valleys and down by the water, where
 // this is not frozen. Deserts are bright, and not white; ice is white as a whole.
-fn snow_lies(albedo: vec3f, elevation: Metres, hollow: f32, sin_lat: f32) -> vec3f {
+fn snow_lies(albedo: vec3f, at: vec2u, elevation: Metres, hollow: f32, sin_lat: f32, footprint: Metres) -> vec3f {
     let share = saturate((albedo.b - THAWED.b) / (SNOW.b - THAWED.b));
     let thaws = 0.5 * smoothstep(SNOW_THAWS, 0.0, elevation) * smoothstep(ICY_COASTS.x, ICY_COASTS.y, sin_lat) * smoothstep(ICY_COASTS.w, ICY_COASTS.z, sin_lat);
     // Of all heights of a country so many are lower: they are nearly normal, of a deviation of 0.4.
-    let low = 1.0 / (1.0 + exp(4.3 * hollow)) + thaws;
+    // Drifts and bare spots break its edge.
+    let drifts = 0.5 * (map_noise(at, 16u, 90u) - 0.5) * shown(footprint, 600.0) + 0.35 * (map_noise(at, 18u, 91u) - 0.5) * shown(footprint, 150.0);
+    let low = 1.0 / (1.0 + exp(4.3 * hollow)) + thaws + drifts;
     let snowy = smoothstep(0.15, 0.35, share) * smoothstep(NOT_WHITE.x, NOT_WHITE.y, albedo.b / max(albedo.r, 1e-3));
-    return mix(albedo, mix(THAWED, SNOW, smoothstep(share + 0.12, share - 0.12, low)), snowy * smoothstep(1.0, 0.9, share));
+    return mix(albedo, mix(THAWED, SNOW, smoothstep(share + SNOW_EDGE, share - SNOW_EDGE, low)), snowy * smoothstep(1.0, 0.9, share));
 }
 
 // `direction`: of the sight; `lies`: the normal of what is drawn, which knows less of the relief; `width`: of the pixel towards the shore; `washed`: how far waves run up the shore; nothing grows there.
@@ -185,7 +188,7 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
     if IMAGERY && !is_apart {
         let told = imagery_albedo(point, sin_lat, footprint);
         albedo = told;
-        if FINE { albedo = mix(told, snow_lies(told, ground.elevation, made.hollow, sin_lat), made.about * smoothstep(SNOW_SEEN.y, SNOW_SEEN.x, footprint)); }
+        if FINE { albedo = mix(told, snow_lies(told, point.at, ground.elevation, made.hollow, sin_lat, footprint), made.about * smoothstep(SNOW_SEEN.y, SNOW_SEEN.x, footprint)); }
         let snowy = smoothstep(0.3, 0.6, albedo.b);
         sandy *= 1.0 - snowy;
         sand = mix(sand, albedo, snowy);
