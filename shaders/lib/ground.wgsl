@@ -128,9 +128,9 @@ fn grain_at(point: MapPoint, part: vec2f, footprint: Metres, rocky: f32) -> Grai
 fn snow_lies(albedo: vec3f, at: vec2u, elevation: Metres, hollow: f32, sin_lat: f32, footprint: Metres) -> vec3f {
     let share = saturate((albedo.b - THAWED.b) / (SNOW.b - THAWED.b));
     let thaws = 0.5 * smoothstep(SNOW_THAWS, 0.0, elevation) * smoothstep(ICY_COASTS.x, ICY_COASTS.y, sin_lat) * smoothstep(ICY_COASTS.w, ICY_COASTS.z, sin_lat);
-    // Of all heights of a country so many are lower: they are nearly normal, of a deviation of 0.4.
     // Drifts and bare spots break its edge.
     let drifts = 0.5 * (map_noise(at, 16u, 90u) - 0.5) * shown(footprint, 600.0) + 0.35 * (map_noise(at, 18u, 91u) - 0.5) * shown(footprint, 150.0);
+    // How many of all heights of a country are higher: these are nearly normal, of a deviation of 0.4.
     let low = 1.0 / (1.0 + exp(4.3 * hollow)) + thaws + drifts;
     let snowy = smoothstep(0.15, 0.35, share) * smoothstep(NOT_WHITE.x, NOT_WHITE.y, albedo.b / max(albedo.r, 1e-3));
     return mix(albedo, mix(THAWED, SNOW, smoothstep(share + SNOW_EDGE, share - SNOW_EDGE, low)), snowy * smoothstep(1.0, 0.9, share));

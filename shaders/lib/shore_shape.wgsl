@@ -6,7 +6,7 @@
 fn grid_value(elevation: Metres) -> vec3f { return vec3f(elevation, max(-elevation, 0.0), select(0.0, 1.0, elevation < 0.0)); }
 
 // Elevation of a place so far in the ocean around which the nearest texels have so much: there of the wet ones alone.
-fn elevation_in(grid: vec3f, ocean_shore: Metres) -> Metres { return select(grid.x, -grid.y / max(grid.z, BED_LEAST_SHARE), ocean_shore > 0.0); }
+fn elevation_at(grid: vec3f, ocean_shore: Metres) -> Metres { return select(grid.x, -grid.y / max(grid.z, BED_LEAST_SHARE), ocean_shore > 0.0); }
 
 // A of Dean's profile and slope at the waterline; 0 a beach, 1 a cliff or a front of ice; how deep the profile goes, and the water off the coast, and that at least; how far
 // the grid's own values are trusted far from the shore.

@@ -94,7 +94,7 @@ fn ground_of(point: MapPoint, sin_lat: f32, water_page: Page, nearest: vec3f, gr
     if water_page.layer == 0u {
         shores = vec2f(select(-1e6, 1e6, nearest.x <= 0.0), -1e6);
     }
-    let plain = shaped_elevation(elevation_in(nearest, shores.x), coast, shores.x);
+    let plain = shaped_elevation(elevation_at(nearest, shores.x), coast, shores.x);
     let trusted = min(frame.terrain_resolution, BED_WIDEST);
     // Waves that run up a lagoon's beach are the lagoon's.
     let none = !REEFS | (reefs <= 0.0) | (shores.x < -REEFS_ASHORE) | (shores.x > trusted);

@@ -93,7 +93,8 @@ pub fn sample(
     let mut map = Map { projection, at: map_from_lat_lon(projection, lat, lon), look_up };
     let point = MapPoint::on(projection, lat, lon);
     let Some((terrain_level, _)) = map.deepest(Layer::Terrain, point, terrain.deepest)? else { return Ok(None) };
-    let Some([raw_m, _]) = map.bilinear(Layer::Terrain, terrain_level, map.at)? else { return Ok(None) };
+    let Some(around) = map.grid(point, terrain_level, terrain_level)? else { return Ok(None) };
+    let raw_m = around.elevation_m;
     let water = match deepest_water {
         Some(deepest) => map.deepest(Layer::Water, point, deepest)?,
         None => None,
@@ -128,10 +129,14 @@ pub fn sample(
         _ if marks & ON_ISLAND != 0 => WaterClass::Island,
         _ => WaterClass::Land,
     };
-    let Some(nearest) = map.grid(point, terrain_level, terrain_level)? else { return Ok(None) };
     let Some(grid) = map.grid(point, grid_level(terrain.resolution_m), terrain_level)? else { return Ok(None) };
-    let elevation_m = nearest.elevation_at(ocean_m);
-    let measured_m = shaped_on(elevation_m, grid, ocean_m, [terrain.resolution_m, terrain.beach_slope], libm::sin(lat));
+    let measured_m = shaped_on(
+        around.elevation_at(ocean_m),
+        grid,
+        ocean_m,
+        [terrain.resolution_m, terrain.beach_slope],
+        libm::sin(lat),
+    );
     let stands = stands.filter(|_| class != WaterClass::Ocean && projection == Projection::Mercator);
     let shaped = |stands: Stands| lakes::shaped(measured_m, lake_m, stands.level_m, stands.margin_for(by_river));
     let elevation_measured_m = stands.map_or(measured_m, shaped);
