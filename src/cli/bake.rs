@@ -79,7 +79,7 @@ pub struct BakeArgs {
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     pub elevation_east_deg: f64,
     /// Relief map of the world in hypsometric tints, JPEG or PNG, equirectangular, from 180 degrees west, north up: where the elevation has lost heights
-    /// of the land, or banks of the tropics' sea, its colours tell them
+    /// of the land, or the sea within 32 degrees of the equator its banks, its colours tell them
     #[arg(long, value_name = "FILE", requires = "elevation")]
     pub tints: Option<PathBuf>,
     /// Land mask, bytes in netCDF (3 or 4); several bands of latitude may be given, together from pole to pole

@@ -27,7 +27,7 @@ pub const AROUND: usize = 2;
 /// Colours that are this far off half of the heights that are known tell none, m.
 const MOST_OFF_M: f32 = 300.0;
 
-/// Nodes of a grid of heights, metres, from the south pole on; NaN where they are not of land.
+/// Nodes of a grid from the south pole on: heights of land or depths of the sea, metres; NaN elsewhere.
 pub struct Nodes<'a> {
     /// Row by row.
     pub metres: &'a [f32],

@@ -1,4 +1,5 @@
 //! At what level lakes and rivers lie that no table knows: by the terrain along their shores and courses.
+//! It is long, but one thing: the steps of this drawing, in its order.
 //!
 //! ```text
 //!   a place's tile        its coarser tiles             the middle of that line's box     up to 3 levels finer
