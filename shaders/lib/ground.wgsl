@@ -252,12 +252,12 @@ fn lit_ground(at: Place, direction: vec3f, up: vec3f, lies: vec3f, footprint: Me
                 built.edges.right.z = -ground.shore_rise.x;
                 built.edges.down.z = -ground.shore_rise.y;
                 built.edges.values.w = min(built.edges.values.w, 0.5 - rock);
-                let town = houses(FinePoint(point.at, part), built, sin_lat, sight_over, sunlight, sinks * distance, across, !is_bed);
+                let town = houses(FinePoint(point.at, part), built, sin_lat, green, sight_over, sunlight, sinks * distance, across, !is_bed);
                 house = town.stands;
                 let paved = max(share * town.cover, house);
                 albedo = mix(albedo, town.albedo, paved);
                 hidden = max(hidden, paved);
-                town_light = mix(vec2f(1.0), vec2f(town.sun, town.sky), paved);
+                town_light = mix(vec2f(1.0), vec2f(town.sun, town.sky), max(share, house));
                 shines = max(share, house) * lamps_lit(up) * town.shines;
                 own_shade *= 1.0 - house;
                 shaded = normalize(mix(shaded, normal, house));
